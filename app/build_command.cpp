@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/build_command.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "app/audit_output.h"
+#include "app/design_input.h"
+#include "app/interrupt.h"
+#include "app/plan.h"
+#include "app/staging_folder.h"
+#include "export/mesh_file.h"
+#include "geometry/mesh/weld.h"
+#include "geometry/solid/audit.h"
+#include "geometry/solid/tube_solids.h"
+#if LATTICAST_HAS_PREDICT
+#include "app/preview.h"
+#endif
+
+namespace latticast {
+namespace {
+
+/// A mesh that this program made fails its own audit: nothing is delivered.
+struct AuditFailed : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+class Builder {
+ public:
+  Builder(const Design& design, const Plan& plan, const BuildArguments& arguments,
+          const Console& console)
+      : design_(design), plan_(plan), console_(console), staging_(arguments.folder) {
+    double start = 0;
+    for (const Segment& segment : design.segments) {
+      start_z_mm_.push_back(start);
+      start += segment.length_mm;
+    }
+    count_steps();
+  }
+
+  // Returns the list of files, for people.
+  std::string run() {
+    for (std::size_t s = 0; s < design_.segments.size(); ++s) build_segment(s);
+#if LATTICAST_HAS_PREDICT
+    if (plan_.runs(Stage::preview)) build_preview();
+#endif
+    staging_.commit();
+    return summary_;
+  }
+
+ private:
+  void count_steps() {
+    const std::size_t parts = plan_.runs(Stage::lattice) + plan_.runs(Stage::liner);
+    const std::size_t shapes =
+        plan_.runs(Stage::preview) ? design_.make.preview->pressures_kpa.size() : 0;
+    steps_ = static_cast<int>(design_.segments.size() * (parts + 2 * shapes));
+  }
+
+  void build_segment(std::size_t s) {
+    const Segment& segment = design_.segments[s];
+    const SolidOptions options{design_.output.tolerance_mm, start_z_mm_[s], 0, 1};
+    if (plan_.runs(Stage::lattice) && segment.lattice) {
+      begin(part_name(s, "lattice"));
+      deliver(part_name(s, "lattice"), lattice_solid(segment, options));
+    }
+    if (plan_.runs(Stage::liner)) {
+      begin(part_name(s, "liner"));
+      deliver(part_name(s, "liner"), liner_solid(segment, options));
+    }
+  }
+
+#if LATTICAST_HAS_PREDICT
+  void build_preview() {
+    const std::vector<PressureShape> shapes = predict_preview(design_);
+    std::vector<PicturePart> picture;
+    for (std::size_t s = 0; s < design_.segments.size(); ++s) {
+      const SolidOptions options = preview_options(design_, s, start_z_mm_[s], shapes);
+      const Segment& segment = design_.segments[s];
+      if (segment.lattice) {
+        preview_part(s, false, lattice_solid(segment, options), shapes, picture);
+      }
+      preview_part(s, true, liner_solid(segment, options), shapes, picture);
+    }
+    const std::string file = design_.name + "-preview.png";
+    write_png(staging_.add(file), preview_picture(picture));
+    summary_ += fmt::format("{}: {} shapes side by side\n", file, shapes.size());
+  }
+
+  void preview_part(std::size_t s, bool is_liner, const Solid& rest,
+                    const std::vector<PressureShape>& shapes, std::vector<PicturePart>& picture) {
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      const std::string part = fmt::format("preview-{:g}kPa-{}", shapes[i].pressure_kpa,
+                                           is_liner ? "liner" : "lattice");
+      begin(part_name(s, part));
+      Solid moved{moved_mesh(rest.mesh, shapes[i].shape, s), 0, 0, rest.pieces, rest.genus};
+      deliver(part_name(s, part), moved);
+      picture.push_back({std::move(moved.mesh), i, is_liner});
+    }
+  }
+#endif
+
+  std::string part_name(std::size_t s, std::string_view part) const {
+    if (design_.segments.size() == 1) return fmt::format("{}-{}", design_.name, part);
+    return fmt::format("{}-segment-{}-{}", design_.name, s + 1, part);
+  }
+
+  void begin(const std::string& what) {
+    stop_if_interrupted();
+    console_.progress(++step_, steps_, what);
+  }
+
+  // Writes a solid in every format, reads each file back and proves it.
+  void deliver(const std::string& stem, const Solid& solid) {
+    for (const MeshFormat format : design_.output.formats) {
+      const std::string file = stem + std::string(extension(format));
+      const std::filesystem::path path = staging_.add(file);
+      write_mesh(path, solid.mesh, format);
+      const Audit result = audit(weld(read_mesh(path)));
+      prove(file, solid, result);
+      summary_ += fmt::format("{}: {}\n", file, audit_summary(result));
+      stop_if_interrupted();
+    }
+  }
+
+  static void prove(const std::string& file, const Solid& solid, const Audit& result) {
+    if (!result.passes()) {
+      throw AuditFailed(fmt::format("{} fails its audit and was not written:\n{}", file,
+                                    audit_findings(result)));
+    }
+    if (result.components != solid.pieces || result.genus != solid.genus) {
+      throw AuditFailed(fmt::format(
+          "{} has {} pieces and genus {}, its pattern has {} and {}; it was not written", file,
+          result.components, result.genus, solid.pieces, solid.genus));
+    }
+    if (solid.volume_mm3 > 0 &&
+        std::abs(result.volume_mm3 - solid.volume_mm3) > solid.volume_bound_mm3) {
+      throw AuditFailed(fmt::format("{} has {} mm3, its pattern {}; it was not written", file,
+                                    result.volume_mm3, solid.volume_mm3));
+    }
+  }
+
+  const Design& design_;
+  const Plan& plan_;
+  const Console& console_;
+  StagingFolder staging_;
+  std::vector<double> start_z_mm_;
+  std::string summary_;
+  int step_ = 0;
+  int steps_ = 0;
+};
+
+bool makes_anything(const Plan& plan) {
+  return plan.runs(Stage::lattice) || plan.runs(Stage::liner) || plan.runs(Stage::preview);
+}
+
+}  // namespace
+
+ExitStatus run_build(const BuildArguments& arguments, const Console& console) {
+  const auto materials = load_materials(arguments.materials, console);
+  if (!materials) return ExitStatus::invalid;
+  const auto design = load_design(arguments.design, *materials, console);
+  if (!design) return ExitStatus::invalid;
+  const Plan plan = plan_build(*design, arguments.only);
+  if (arguments.dry_run) console.data(describe(plan));
+
+  const std::vector<std::string> missing = unavailable(plan, *design);
+  for (const std::string& line : missing) console.error(line);
+  if (!missing.empty()) return ExitStatus::invalid;
+  if (arguments.dry_run) return ExitStatus::done;
+  if (!makes_anything(plan)) {
+    console.note("nothing to make: name what you want under [make], for example lattice = true");
+    return ExitStatus::done;
+  }
+  try {
+    watch_for_interrupt();
+    console.data(Builder(*design, plan, arguments, console).run());
+  } catch (const AuditFailed& fault) {
+    console.error(fault.what());
+    return ExitStatus::check_failed;
+  }
+  console.note(fmt::format("files are in {}", arguments.folder.string()));
+  return ExitStatus::done;
+}
+
+}  // namespace latticast

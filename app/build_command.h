@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/console.h"
+#include "app/exit_status.h"
+
+namespace latticast {
+
+struct BuildArguments {
+  std::filesystem::path design;
+  std::optional<std::filesystem::path> materials;
+  std::filesystem::path folder = ".";
+  std::vector<std::string> only;
+  bool dry_run = false;
+};
+
+/// latticast build: everything that the design's [make] names, each file audited as written. Either
+/// all files appear in the folder or none. Throws FileError, UnsupportedDesign, GeometryError,
+/// NoEquilibrium, Interrupted, std::invalid_argument.
+ExitStatus run_build(const BuildArguments& arguments, const Console& console);
+
+}  // namespace latticast

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace latticast {
+namespace {
+
+bool colour_wanted() {
+  // https://no-color.org: set and not empty means no colour.
+  const char* refused = std::getenv("NO_COLOR");
+  return refused == nullptr || *refused == '\0';
+}
+
+}  // namespace
+
+Console::Console(bool quiet)
+    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), colour_(terminal_ && colour_wanted()) {}
+
+void Console::data(std::string_view text) const { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+void Console::note(std::string_view line) const {
+  if (quiet_) return;
+  end_progress();
+  fmt::print(stderr, "{}\n", line);
+}
+
+void Console::error(std::string_view line) const {
+  end_progress();
+  fmt::print(stderr, "{}error:{} {}\n", colour_ ? "\033[31m" : "", colour_ ? "\033[0m" : "", line);
+}
+
+void Console::progress(int step, int steps, std::string_view what) const {
+  if (quiet_ || !terminal_) return;
+  fmt::print(stderr, "\r\033[K[{}/{}] {}", step, steps, what);
+  std::fflush(stderr);
+}
+
+void Console::end_progress() const {
+  if (!quiet_ && terminal_) fmt::print(stderr, "\r\033[K");
+}
+
+}  // namespace latticast

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Data goes to standard output; progress and messages go to standard error.
+#pragma once
+
+#include <string_view>
+
+namespace latticast {
+
+class Console {
+ public:
+  explicit Console(bool quiet = false);
+
+  /// A result, to standard output, as it is.
+  void data(std::string_view text) const;
+
+  /// A message for people, one line; not shown when quiet.
+  void note(std::string_view line) const;
+
+  /// A problem, one line starting with "error: "; always shown.
+  void error(std::string_view line) const;
+
+  /// "[2/5] what": redrawn in place, on a terminal only.
+  void progress(int step, int steps, std::string_view what) const;
+
+  /// Clears the progress line.
+  void end_progress() const;
+
+ private:
+  bool quiet_;
+  bool terminal_;
+  bool colour_;
+};
+
+}  // namespace latticast

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "app/console.h"
+#include "spec/design.h"
+#include "spec/material_library.h"
+
+namespace latticast {
+
+/// The built-in materials, with those of `file` (when given) added or in their place. Empty after
+/// reporting every problem of that file. Throws FileError.
+std::optional<MaterialLibrary> load_materials(const std::optional<std::filesystem::path>& file,
+                                              const Console& console);
+
+/// The design in a file; empty after reporting every problem of it. Throws FileError.
+std::optional<Design> load_design(const std::filesystem::path& file, const MaterialLibrary& materials,
+                                  const Console& console);
+
+}  // namespace latticast

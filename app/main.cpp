@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The command line: what is typed, which command runs, and what the exit status says.
+#include <CLI/CLI.hpp>
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+
+#include "app/console.h"
+#include "app/exit_status.h"
+#include "app/materials_command.h"
+#include "spec/file_error.h"
+#include "spec/unsupported_design.h"
+#if LATTICAST_HAS_PREDICT
+#include "app/predict_command.h"
+#endif
+#if LATTICAST_HAS_GEOMETRY
+#include "app/audit_command.h"
+#include "app/build_command.h"
+#include "app/interrupt.h"
+#include "geometry/solid/arrangement.h"
+#if LATTICAST_HAS_PREDICT
+#include "app/preview.h"
+#endif
+#endif
+
+namespace latticast {
+namespace {
+
+// What was typed, whichever parts this program was built with.
+struct CommandLine {
+  bool quiet = false;
+  std::string materials_file;
+  std::string design;
+  std::string folder = ".";
+  std::vector<std::string> only;
+  bool dry_run = false;
+  std::string pressure;
+  std::string format = "table";
+  std::vector<std::string> hold;
+  std::vector<std::string> mesh_files;
+  std::string material;
+};
+
+std::optional<std::filesystem::path> materials_path(const CommandLine& typed) {
+  if (typed.materials_file.empty()) return std::nullopt;
+  return typed.materials_file;
+}
+
+void describe_build(CLI::App& app, CommandLine& typed) {
+  CLI::App* build = app.add_subcommand("build", "Make everything that the design's [make] names");
+  build->add_option("design", typed.design, "design file")->required();
+  build->add_option("-o,--output", typed.folder, "folder for the files; made if missing");
+  build->add_option("--only", typed.only, "parts to make: lattice, liner, preview, molds, report")
+      ->delimiter(',');
+  build->add_flag("--dry-run", typed.dry_run, "print what would run, and why the rest would not");
+}
+
+void describe_predict(CLI::App& app, CommandLine& typed) {
+  CLI::App* predict = app.add_subcommand("predict", "Print the response to pressure");
+  predict->add_option("design", typed.design, "design file")->required();
+  predict->add_option("--pressure", typed.pressure,
+                      "kPa: one, a list (10,20,30) or FROM:TO:STEP; otherwise the design's [load]");
+  predict->add_option("--format", typed.format, "table, csv or json")
+      ->check(CLI::IsMember({"table", "csv", "json"}));
+  predict->add_option("--hold", typed.hold, "coordinates held by the mounting; prints their reaction")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"twist", "bend", "stretch"}));
+}
+
+void describe_commands(CLI::App& app, CommandLine& typed) {
+  app.set_version_flag("--version", "latticast " LATTICAST_VERSION);
+  app.add_flag("-q,--quiet", typed.quiet, "no progress, no notes; errors are still shown");
+  app.add_option("--materials", typed.materials_file, "TOML file with further materials");
+  app.require_subcommand(1);
+  app.fallthrough();
+  describe_build(app, typed);
+  describe_predict(app, typed);
+  CLI::App* audit = app.add_subcommand("audit", "Prove that mesh files are closed, clean solids");
+  audit->add_option("files", typed.mesh_files, "mesh files")->required();
+  CLI::App* materials = app.add_subcommand("materials", "List the materials, or show one");
+  materials->add_option("name", typed.material, "material");
+}
+
+[[maybe_unused]] ExitStatus left_out(const Console& console, std::string_view command,
+                                     std::string_view option, std::string_view packages) {
+  console.error(fmt::format("this program was built without '{}': configure with -D{}=ON (needs {}) and "
+                            "build again", command, option, packages));
+  return ExitStatus::invalid;
+}
+
+ExitStatus run_command(const CLI::App& app, const CommandLine& typed, const Console& console) {
+  if (app.got_subcommand("materials")) {
+    return run_materials(typed.material, materials_path(typed), console);
+  }
+  if (app.got_subcommand("predict")) {
+#if LATTICAST_HAS_PREDICT
+    return run_predict({typed.design, materials_path(typed), typed.pressure, typed.format, typed.hold},
+                       console);
+#else
+    return left_out(console, "predict", "LATTICAST_PREDICT", "SUNDIALS");
+#endif
+  }
+#if LATTICAST_HAS_GEOMETRY
+  if (app.got_subcommand("audit")) {
+    return run_audit({typed.mesh_files.begin(), typed.mesh_files.end()}, console);
+  }
+  return run_build({typed.design, materials_path(typed), typed.folder, typed.only, typed.dry_run},
+                   console);
+#else
+  return left_out(console, app.got_subcommand("audit") ? "audit" : "build", "LATTICAST_GEOMETRY",
+                  "CGAL, assimp and libpng");
+#endif
+}
+
+// Every typed error of the libraries has its exit status here.
+ExitStatus run_guarded(const CLI::App& app, const CommandLine& typed, const Console& console) {
+  try {
+    return run_command(app, typed, console);
+  } catch (const FileError& fault) {
+    console.error(fault.what());
+    return ExitStatus::file_error;
+  } catch (const UnsupportedDesign& fault) {
+    console.error(fault.what());
+    return ExitStatus::invalid;
+#if LATTICAST_HAS_GEOMETRY
+  } catch (const GeometryError& fault) {
+    console.error(fault.what());
+    return ExitStatus::check_failed;
+  } catch (const Interrupted& fault) {
+    console.error(fault.what());
+    return ExitStatus::interrupted;
+#if LATTICAST_HAS_PREDICT
+  } catch (const NoEquilibrium& fault) {
+    console.error(fault.what());
+    return ExitStatus::no_equilibrium;
+#endif
+#endif
+  } catch (const std::invalid_argument& fault) {
+    console.error(fault.what());
+    return ExitStatus::invalid;
+  }
+}
+
+int run_main(int argc, char** argv) {
+  CLI::App app{"Predicts and makes lattice-reinforced pneumatic soft actuators", "latticast"};
+  CommandLine typed;
+  describe_commands(app, typed);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& fault) {
+    // CLI11 prints help and version (status 0) and its messages; ours is the status for the rest.
+    return app.exit(fault) == 0 ? 0 : static_cast<int>(ExitStatus::invalid);
+  }
+  return static_cast<int>(run_guarded(app, typed, Console(typed.quiet)));
+}
+
+}  // namespace
+}  // namespace latticast
+
+int main(int argc, char** argv) { return latticast::run_main(argc, argv); }

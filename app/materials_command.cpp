@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/materials_command.h"
+
+#include <fmt/core.h>
+
+#include <vector>
+
+#include "app/design_input.h"
+#include "spec/nearest_name.h"
+
+namespace latticast {
+namespace {
+
+std::string law_text(const Law& law) {
+  struct {
+    std::string operator()(const Linear& l) const {
+      return fmt::format("linear, E = {:g} MPa, nu = {:g}", l.youngs_modulus_mpa, l.poisson_ratio);
+    }
+    std::string operator()(const NeoHookean& l) const {
+      return fmt::format("neo-hookean, mu = {:g} MPa", l.shear_modulus_mpa);
+    }
+    std::string operator()(const Yeoh& l) const {
+      return fmt::format("yeoh, c1 = {:g}, c2 = {:g}, c3 = {:g} MPa", l.c1_mpa, l.c2_mpa, l.c3_mpa);
+    }
+    std::string operator()(const Gent& l) const {
+      return fmt::format("gent, mu = {:g} MPa, jm = {:g}", l.shear_modulus_mpa, l.limit_jm);
+    }
+  } text;
+  return std::visit(text, law);
+}
+
+std::string entry_text(const Material& material) {
+  std::string text = fmt::format("{}\n  law                  {}\n", material.name, law_text(material.law));
+  const auto add = [&](std::string_view label, const std::optional<double>& value, double factor,
+                       std::string_view unit) {
+    if (value) text += fmt::format("  {:<20} {:g} {}\n", label, *value * factor, unit);
+  };
+  add("fitted to strain", material.max_strain, 100, "%");
+  add("elongation at break", material.elongation_at_break, 100, "%");
+  add("density", material.density_g_per_cm3, 1, "g/cm3");
+  if (material.modulus_low_factor || material.modulus_high_factor) {
+    text += fmt::format("  {:<20} {:g} to {:g} times the stated modulus\n", "modulus band",
+                        material.modulus_low_factor.value_or(1), material.modulus_high_factor.value_or(1));
+  }
+  text += fmt::format("  {:<20} {}\n", "source", material.source);
+  if (!material.note.empty()) text += fmt::format("  {:<20} {}\n", "note", material.note);
+  return text;
+}
+
+}  // namespace
+
+ExitStatus run_materials(const std::string& name,
+                         const std::optional<std::filesystem::path>& materials_file,
+                         const Console& console) {
+  const auto library = load_materials(materials_file, console);
+  if (!library) return ExitStatus::invalid;
+  if (name.empty()) {
+    for (const auto& [key, material] : *library) {
+      console.data(fmt::format("{:<24} {}\n", key, law_text(material.law)));
+    }
+    return ExitStatus::done;
+  }
+  if (const auto entry = library->find(name); entry != library->end()) {
+    console.data(entry_text(entry->second));
+    return ExitStatus::done;
+  }
+  std::vector<std::string> known;
+  for (const auto& entry : *library) known.push_back(entry.first);
+  console.error(fmt::format("no material '{}': {}", name, name_hint(name, known, "materials")));
+  return ExitStatus::invalid;
+}
+
+}  // namespace latticast

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/plan.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace latticast {
+namespace {
+
+struct Part {
+  Stage stage;
+  std::string_view key;  // in [make]
+};
+
+constexpr std::array<Part, 6> parts{{{Stage::lattice, "lattice"},
+                                     {Stage::liner, "liner"},
+                                     {Stage::preview, "preview"},
+                                     {Stage::lattice_mold, "lattice_mold"},
+                                     {Stage::liner_mold, "liner_mold"},
+                                     {Stage::report, "report"}}};
+
+bool asked(const Make& make, Stage part) {
+  switch (part) {
+    case Stage::lattice: return make.lattice;
+    case Stage::liner: return make.liner;
+    case Stage::preview: return make.preview.has_value();
+    case Stage::lattice_mold: return make.lattice_mold.has_value();
+    case Stage::liner_mold: return make.liner_mold.has_value();
+    case Stage::report: return make.report;
+    default: return false;
+  }
+}
+
+std::vector<Stage> parts_named(const std::string& word) {
+  if (word == "molds") return {Stage::lattice_mold, Stage::liner_mold};
+  for (const Part& part : parts) {
+    if (name(part.stage) == word || part.key == word) return {part.stage};
+  }
+  throw std::invalid_argument(fmt::format(
+      "--only {}: no such part; parts are lattice, liner, preview, lattice-mold, liner-mold, molds, "
+      "report", word));
+}
+
+std::vector<Stage> chosen_parts(const Make& make, const std::vector<std::string>& only) {
+  std::vector<Stage> chosen;
+  for (const std::string& word : only) {
+    const std::size_t before = chosen.size();
+    for (const Stage part : parts_named(word)) {
+      if (asked(make, part)) chosen.push_back(part);
+    }
+    if (chosen.size() == before) {
+      throw std::invalid_argument(fmt::format(
+          "--only {}: the design's [make] does not ask for it; add it there first", word));
+    }
+  }
+  return chosen;
+}
+
+bool has_lattice(const Design& design) {
+  return std::any_of(design.segments.begin(), design.segments.end(),
+                     [](const Segment& segment) { return segment.lattice.has_value(); });
+}
+
+bool has_horseshoe(const Design& design) {
+  for (const Segment& segment : design.segments) {
+    if (!segment.lattice) continue;
+    for (const Grid& grid : segment.lattice->grids) {
+      if (grid.horseshoe) return true;
+    }
+  }
+  return false;
+}
+
+bool has_uneven_widths(const Design& design) {
+  for (const Segment& segment : design.segments) {
+    if (!segment.lattice) continue;
+    for (const Grid& grid : segment.lattice->grids) {
+      const auto [low, high] = std::minmax_element(grid.widths_mm.begin(), grid.widths_mm.end());
+      if (low != grid.widths_mm.end() && *low != *high) return true;
+    }
+  }
+  return false;
+}
+
+PlannedStage plan_part(const Design& design, Stage stage, const std::vector<Stage>& chosen,
+                       bool narrowed) {
+  const auto part =
+      std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.stage == stage; });
+  if (!asked(design.make, stage)) {
+    return {stage, false, fmt::format("[make] does not name {}", part->key)};
+  }
+  if (narrowed && std::find(chosen.begin(), chosen.end(), stage) == chosen.end()) {
+    return {stage, false, "left out by --only"};
+  }
+  if (stage == Stage::lattice && !has_lattice(design)) {
+    return {stage, false, "no segment has a lattice"};
+  }
+  return {stage, true, fmt::format("[make] names {}", part->key)};
+}
+
+// The stages of the prediction follow from the preview alone: nothing else needs a deformed shape.
+void plan_prediction(const Design& design, Plan& plan) {
+  const bool needed = plan.runs(Stage::preview);
+  const auto add = [&](Stage stage, bool wanted, std::string_view why, std::string_view why_not) {
+    const bool runs = needed && wanted;
+    plan.stages.push_back(
+        {stage, runs, std::string(runs ? why : needed ? why_not : "nothing that is made needs a deformed shape")});
+  };
+  add(Stage::prediction, true, "the preview shows the shape under pressure", "");
+  add(Stage::horseshoe_law, has_horseshoe(design), "a strand is a horseshoe",
+      "no strand is a horseshoe");
+  add(Stage::bending, has_uneven_widths(design), "strand widths differ around the tube",
+      "every section is symmetric about its axis");
+}
+
+}  // namespace
+
+std::string_view name(Stage stage) {
+  switch (stage) {
+    case Stage::prediction: return "prediction";
+    case Stage::horseshoe_law: return "horseshoe-law";
+    case Stage::bending: return "bending";
+    case Stage::lattice: return "lattice";
+    case Stage::liner: return "liner";
+    case Stage::preview: return "preview";
+    case Stage::lattice_mold: return "lattice-mold";
+    case Stage::liner_mold: return "liner-mold";
+    case Stage::report: return "report";
+  }
+  return "";
+}
+
+bool Plan::runs(Stage stage) const {
+  return std::any_of(stages.begin(), stages.end(),
+                     [&](const PlannedStage& planned) { return planned.stage == stage && planned.runs; });
+}
+
+Plan plan_build(const Design& design, const std::vector<std::string>& only) {
+  const std::vector<Stage> chosen = chosen_parts(design.make, only);
+  Plan plan;
+  for (const Part& part : parts) {
+    plan.stages.push_back(plan_part(design, part.stage, chosen, !only.empty()));
+  }
+  plan_prediction(design, plan);
+  std::sort(plan.stages.begin(), plan.stages.end(),
+            [](const PlannedStage& a, const PlannedStage& b) { return a.stage < b.stage; });
+  return plan;
+}
+
+std::vector<std::string> unavailable(const Plan& plan, const Design& design) {
+  std::vector<std::string> missing;
+  for (const Stage stage : {Stage::lattice_mold, Stage::liner_mold, Stage::report}) {
+    if (!plan.runs(stage)) continue;
+    missing.push_back(fmt::format(
+        "[make] asks for the {0}, which this version cannot make yet: take it out of [make], or name "
+        "the other parts with --only", name(stage)));
+  }
+  if (plan.runs(Stage::preview) && plan.runs(Stage::horseshoe_law)) {
+    missing.emplace_back("the design has horseshoe strands, which this version can neither predict nor "
+                         "draw yet: leave 'horseshoe' out of the grid to make its strands straight");
+  } else if (has_horseshoe(design)) {
+    missing.emplace_back("the design has horseshoe strands, which this version cannot draw yet: leave "
+                         "'horseshoe' out of the grid to make its strands straight");
+  }
+  if (plan.runs(Stage::bending)) {
+    missing.emplace_back("strand widths differ around the tube, so it bends, which this version cannot "
+                         "predict yet: give a family one width, or leave the preview out with --only");
+  }
+  for (const MeshFormat format : design.output.formats) {
+    if (format == MeshFormat::stl || format == MeshFormat::obj) continue;
+    missing.emplace_back("[export] formats: this version writes stl and obj; 3mf, ply and glb cannot be "
+                         "written yet: take them out of the list");
+    break;
+  }
+#if !LATTICAST_HAS_PREDICT
+  if (plan.runs(Stage::prediction)) {
+    missing.emplace_back("this program was built without the prediction that a preview needs: build it "
+                         "with -DLATTICAST_PREDICT=ON, or leave the preview out with --only");
+  }
+#endif
+  return missing;
+}
+
+std::string describe(const Plan& plan) {
+  std::string text;
+  for (const PlannedStage& planned : plan.stages) {
+    text += fmt::format("{:<5} {:<14} {}\n", planned.runs ? "run" : "skip", name(planned.stage),
+                        planned.reason);
+  }
+  return text;
+}
+
+}  // namespace latticast

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/console.h"
+#include "app/exit_status.h"
+
+namespace latticast {
+
+struct PredictArguments {
+  std::filesystem::path design;
+  std::optional<std::filesystem::path> materials;
+  std::string pressure;           ///< as typed; empty: the design's load
+  std::string format = "table";   ///< table, csv or json
+  std::vector<std::string> hold;  ///< twist, bend, stretch
+};
+
+/// latticast predict: the response of every segment. Throws FileError, UnsupportedDesign,
+/// std::invalid_argument.
+ExitStatus run_predict(const PredictArguments& arguments, const Console& console);
+
+}  // namespace latticast

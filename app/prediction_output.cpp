@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/prediction_output.h"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+namespace latticast {
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+double twist_deg(const State& state, const Segment& segment) {
+  return state.twist_rad_per_mm * segment.length_mm * degrees;
+}
+
+// "1.30 .. 1.62": the same number at the two ends of the modulus band.
+template <class Number>
+std::string band(const SegmentPrediction& result, std::size_t i, const char* format, Number number) {
+  const auto end = [&](const std::optional<Response>& response) -> std::string {
+    const Response& used = response ? *response : result.response;
+    return used.states[i] ? fmt::format(fmt::runtime(format), number(*used.states[i])) : "none";
+  };
+  if (!result.softest && !result.stiffest) return "";
+  return fmt::format("{} .. {}", end(result.stiffest), end(result.softest));
+}
+
+std::string table_row(const SegmentPrediction& result, std::size_t i, const Segment& segment,
+                      Held held) {
+  const std::optional<State>& state = result.response.states[i];
+  if (!state) return fmt::format("{:9.2f}  no equilibrium\n", result.pressures_kpa[i]);
+  const auto turn = [&](const State& s) { return twist_deg(s, segment); };
+  const auto stretch = [](const State& s) { return s.stretch; };
+  std::string row =
+      fmt::format("{:9.2f} {:8.5f} {:9.3f} {:8.3f} {:8.3f}", state->pressure_kpa, state->stretch,
+                  turn(*state), state->inner_radius_mm, state->outer_radius_mm);
+  if (held.twist) row += fmt::format(" {:11.3f}", state->torque_nmm);
+  if (held.stretch) row += fmt::format(" {:9.4f}", state->force_n);
+  row += fmt::format("  {:<7} {:8.1e}", state->stable ? "yes" : "no", state->error_estimate);
+  if (result.softest || result.stiffest) {
+    row += fmt::format("  {:<18} {}", band(result, i, "{:.3f}", stretch), band(result, i, "{:.1f}", turn));
+  }
+  return row + "\n";
+}
+
+nlohmann::ordered_json to_json(const State& state, const Segment& segment) {
+  return {{"pressure_kPa", state.pressure_kpa},
+          {"stretch", state.stretch},
+          {"twist_deg", twist_deg(state, segment)},
+          {"twist_per_length_rad_per_mm", state.twist_rad_per_mm / state.stretch},
+          {"bend_deg", 0.0},
+          {"bend_direction_deg", 0.0},
+          {"inner_radius_mm", state.inner_radius_mm},
+          {"outer_radius_mm", state.outer_radius_mm},
+          {"torque_Nmm", state.torque_nmm},
+          {"moment_Nmm", 0.0},
+          {"force_N", state.force_n},
+          {"stable", state.stable},
+          {"smallest_eigenvalue", state.smallest_eigenvalue},
+          {"residual", state.residual},
+          {"error_estimate", state.error_estimate},
+          {"time_us", state.time_us}};
+}
+
+nlohmann::ordered_json states_to_json(const Response& response, const Segment& segment) {
+  nlohmann::ordered_json states = nlohmann::ordered_json::array();
+  for (const std::optional<State>& state : response.states) {
+    states.push_back(state ? to_json(*state, segment) : nlohmann::ordered_json(nullptr));
+  }
+  return states;
+}
+
+const char* name(Status status) {
+  switch (status) {
+    case Status::ok: return "ok";
+    case Status::no_equilibrium: return "no_equilibrium";
+    case Status::not_converged: return "not_converged";
+  }
+  return "";
+}
+
+nlohmann::ordered_json to_json(const SegmentPrediction& result, const Segment& segment) {
+  nlohmann::ordered_json json;
+  json["requested_kPa"] = result.pressures_kpa;
+  json["status"] = name(result.response.status);
+  json["message"] = result.response.message;
+  json["limit_points"] = nlohmann::ordered_json::array();
+  for (const LimitPoint& point : result.response.limit_points) {
+    json["limit_points"].push_back({{"name", point.name},
+                                    {"pressure_kPa", point.pressure_kpa},
+                                    {"state", to_json(point.state, segment)}});
+  }
+  json["states"] = states_to_json(result.response, segment);
+  if (result.softest) json["softest_liner"] = states_to_json(*result.softest, segment);
+  if (result.stiffest) json["stiffest_liner"] = states_to_json(*result.stiffest, segment);
+  return json;
+}
+
+}  // namespace
+
+std::string prediction_table(const Design& design, const Prediction& prediction, Held held) {
+  std::string text;
+  for (std::size_t s = 0; s < prediction.segments.size(); ++s) {
+    const SegmentPrediction& result = prediction.segments[s];
+    const Segment& segment = design.segments[s];
+    text += fmt::format("segment {}: {:g} mm, liner {}\n", s + 1, segment.length_mm,
+                        segment.liner.material.name);
+    text += fmt::format("{:>9} {:>8} {:>9} {:>8} {:>8}", "P kPa", "stretch", "twist deg", "r_i mm",
+                        "r_o mm");
+    if (held.twist) text += fmt::format(" {:>11}", "torque N mm");
+    if (held.stretch) text += fmt::format(" {:>9}", "force N");
+    text += fmt::format("  {:<7} {:<8}", "stable", "error");
+    if (result.softest || result.stiffest) {
+      text += fmt::format("  {:<18} {}", "stretch, band", "twist, band");
+    }
+    text += "\n";
+    for (std::size_t i = 0; i < result.pressures_kpa.size(); ++i) {
+      text += table_row(result, i, segment, held);
+    }
+  }
+  return text;
+}
+
+std::string prediction_csv(const Design& design, const Prediction& prediction, Held held) {
+  std::string text =
+      "segment,pressure_kPa,stretch,twist_deg,twist_per_length_rad_per_mm,bend_deg,"
+      "bend_direction_deg,inner_radius_mm,outer_radius_mm,torque_Nmm,moment_Nmm,stable,residual,"
+      "error_estimate,time_us";
+  text += held.stretch ? ",force_N\n" : "\n";
+  for (std::size_t s = 0; s < prediction.segments.size(); ++s) {
+    for (const std::optional<State>& state : prediction.segments[s].response.states) {
+      if (!state) continue;
+      text += fmt::format("{},{},{},{},{},0,0,{},{},{},0,{},{},{},{:.1f}", s + 1, state->pressure_kpa,
+                          state->stretch, twist_deg(*state, design.segments[s]),
+                          state->twist_rad_per_mm / state->stretch, state->inner_radius_mm,
+                          state->outer_radius_mm, state->torque_nmm, state->stable ? 1 : 0,
+                          state->residual, state->error_estimate, state->time_us);
+      text += held.stretch ? fmt::format(",{}\n", state->force_n) : "\n";
+    }
+  }
+  return text;
+}
+
+std::string prediction_json(const Design& design, const Prediction& prediction, Held held) {
+  nlohmann::ordered_json json;
+  json["design"] = design.name;
+  json["held"] = {{"twist", held.twist}, {"stretch", held.stretch}};
+  json["segments"] = nlohmann::ordered_json::array();
+  for (std::size_t s = 0; s < prediction.segments.size(); ++s) {
+    json["segments"].push_back(to_json(prediction.segments[s], design.segments[s]));
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace latticast

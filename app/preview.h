@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The design under pressure: predicted shapes, and meshes fine enough to be moved by them.
+#pragma once
+
+#include <stdexcept>
+#include <vector>
+
+#include "export/picture.h"
+#include "geometry/solid/tube_solids.h"
+#include "model/shape.h"
+#include "spec/design.h"
+
+namespace latticast {
+
+/// A preview asks for a pressure at which there is no equilibrium; what() names it and the limit point.
+struct NoEquilibrium : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The chain's shape at one pressure, applied to every segment.
+struct PressureShape {
+  double pressure_kpa = 0;
+  Shape shape;
+  std::vector<State> states;  ///< one per segment
+};
+
+/// Shapes at the pressures that [make] preview names. Throws NoEquilibrium, UnsupportedDesign.
+std::vector<PressureShape> predict_preview(const Design& design);
+
+/// How a segment's rest meshes must be cut so that they keep the tolerance in all of the shapes.
+SolidOptions preview_options(const Design& design, std::size_t segment, double start_z_mm,
+                             const std::vector<PressureShape>& shapes);
+
+/// Every vertex moved by the shape, as part of `segment`.
+TriangleMesh moved_mesh(const TriangleMesh& rest, const Shape& shape, std::size_t segment);
+
+/// A place in the row of shapes that the picture shows.
+struct PicturePart {
+  TriangleMesh mesh;
+  std::size_t place = 0;  ///< 0 is the leftmost shape
+  bool is_liner = false;
+};
+
+/// Draws the shapes side by side, resting on one level.
+Image preview_picture(const std::vector<PicturePart>& parts);
+
+}  // namespace latticast

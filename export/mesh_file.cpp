@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/mesh_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <limits>
+#include <system_error>
+
+#include "export/assimp_file.h"
+#include "export/atomic_file.h"
+#include "export/obj_file.h"
+#include "export/ply_header.h"
+#include "export/stl_file.h"
+#include "spec/file_error.h"
+
+namespace latticast {
+namespace {
+
+std::string read_bytes(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (!std::filesystem::exists(status)) {
+    throw FileError(file, "does not exist");
+  }
+  if (std::filesystem::is_directory(status)) {
+    throw FileError(file, "is a folder");
+  }
+  if (!std::filesystem::is_regular_file(status)) {
+    throw FileError(file, "is not a regular file");
+  }
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) {
+    throw FileError(file, "cannot be opened");
+  }
+  std::string bytes(std::filesystem::file_size(file, error), '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (error || !stream) {
+    throw FileError(file, "cannot be read");
+  }
+  if (bytes.empty()) {
+    throw FileError(file, "is empty");
+  }
+  return bytes;
+}
+
+std::string lower_case_extension(const std::filesystem::path& file) {
+  std::string text = file.extension().string();
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+TriangleMesh decode(const std::filesystem::path& file, std::string_view bytes) {
+  const std::string extension = lower_case_extension(file);
+  if (extension == ".stl") {
+    return is_text_stl(bytes) ? decode_text_stl(file, bytes) : decode_binary_stl(file, bytes);
+  }
+  if (extension == ".obj") {
+    return decode_obj(file, bytes);
+  }
+  if (extension == ".ply") {
+    check_ply_counts(file, bytes);
+  }
+  if (extension == ".ply" || extension == ".3mf" || extension == ".glb") {
+    return decode_with_assimp(file, bytes, extension);
+  }
+  throw FileError(
+      file, "is not known as a mesh file: it needs the extension .stl, .obj, .ply, .3mf or .glb");
+}
+
+void require_valid(const TriangleMesh& mesh) {
+  if (mesh.triangles.empty()) {
+    throw std::invalid_argument("a mesh without triangles");
+  }
+  if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
+    throw std::invalid_argument("a mesh of more triangles than a mesh file can hold");
+  }
+  for (const Triangle& triangle : mesh.triangles) {
+    if (*std::max_element(triangle.begin(), triangle.end()) >= mesh.vertices.size()) {
+      throw std::invalid_argument("a mesh whose triangle names a vertex that it does not have");
+    }
+  }
+}
+
+}  // namespace
+
+UnsupportedFormat::UnsupportedFormat(MeshFormat unsupported)
+    : std::runtime_error("writing " + std::string(extension(unsupported)) +
+                         " files is not supported yet; .stl and .obj are"),
+      format(unsupported) {}
+
+std::string_view extension(MeshFormat format) {
+  switch (format) {
+    case MeshFormat::stl:
+      return ".stl";
+    case MeshFormat::obj:
+      return ".obj";
+    case MeshFormat::three_mf:
+      return ".3mf";
+    case MeshFormat::ply:
+      return ".ply";
+    case MeshFormat::glb:
+      return ".glb";
+  }
+  throw std::invalid_argument("no mesh format");
+}
+
+bool can_write(MeshFormat format) {
+  return format == MeshFormat::stl || format == MeshFormat::obj;
+}
+
+void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, MeshFormat format) {
+  if (!can_write(format)) {
+    throw UnsupportedFormat(format);
+  }
+  require_valid(mesh);
+  write_file_atomically(file, format == MeshFormat::stl ? encode_stl(mesh) : encode_obj(mesh));
+}
+
+TriangleMesh read_mesh(const std::filesystem::path& file) {
+  TriangleMesh mesh = decode(file, read_bytes(file));
+  if (mesh.triangles.empty()) {
+    throw FileError(file, "holds no triangle");
+  }
+  return mesh;
+}
+
+}  // namespace latticast

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Wavefront OBJ: vertices ("v") and faces ("f") as text.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "geometry/mesh/triangle_mesh.h"
+
+namespace latticast {
+
+/// The mesh as OBJ text. Precondition: its indices are valid.
+std::string encode_obj(const TriangleMesh& mesh);
+
+/// The vertices and faces of OBJ text, vertices shared as the file shares them. Faces of more than
+/// three corners become fans from their first corner; texture, normals, colours, groups, materials,
+/// points and lines are passed over. Throws FileError naming `file` and the line of a vertex or
+/// face that cannot be read.
+TriangleMesh decode_obj(const std::filesystem::path& file, std::string_view text);
+
+}  // namespace latticast

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures on disk.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace latticast {
+
+/// Rows from the top, pixels from the left, four bytes each: red, green, blue (sRGB), opacity (not
+/// premultiplied).
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;
+};
+
+/// Writes a PNG of 8 bits a channel, without dates or other text: the same image gives the same
+/// bytes. Fully opaque images are written without the opacity channel. The file appears whole or
+/// not at all (TemporaryFile). Throws FileError, and std::invalid_argument for an empty image or
+/// one whose data has another size.
+void write_png(const std::filesystem::path& file, const Image& image);
+
+}  // namespace latticast

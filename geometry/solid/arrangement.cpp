@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/solid/arrangement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace latticast {
+namespace {
+
+constexpr double most_pieces = 20e6;
+constexpr int most_passes = 64;
+
+using Column = std::vector<ArrangedEdge>;
+using Heights = std::vector<std::int32_t>;  // sorted, distinct
+
+// A grid point before the plane is made periodic.
+struct FarPoint {
+  std::int64_t u = 0;
+  std::int64_t z = 0;
+};
+
+ArrangedEdge ordered(GridPoint a, GridPoint b, int winding) {
+  return a < b ? ArrangedEdge{a, b, winding} : ArrangedEdge{b, a, -winding};
+}
+
+bool on_column_line(const ArrangedEdge& edge, std::int32_t column_steps) {
+  return edge.a.u == edge.b.u && (edge.a.u == 0 || edge.a.u == column_steps);
+}
+
+FarPoint to_grid(PlanePoint point, const PlaneGrid& grid) {
+  return {std::llround(point.u / grid.u_step_mm),
+          std::clamp<std::int64_t>(std::llround(point.z / grid.z_step_mm), 0, grid.length_steps)};
+}
+
+// Cuts outline edges at column lines and heights and files the pieces under their columns.
+class Cutter {
+ public:
+  Cutter(const PlaneGrid& grid, std::span<const std::int32_t> cuts, std::vector<Column>& columns)
+      : grid_(grid), cuts_(cuts), columns_(columns) {}
+
+  void add_outline(const std::vector<PlanePoint>& outline) {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      const FarPoint from = to_grid(outline[i], grid_);
+      const FarPoint to = to_grid(outline[(i + 1) % outline.size()], grid_);
+      // Cut points are computed from the lower-left end, so that two outlines sharing an edge in
+      // opposite directions share its cut points as well.
+      const bool forward = from.u < to.u || (from.u == to.u && from.z < to.z);
+      add_edge(forward ? from : to, forward ? to : from, forward ? 1 : -1);
+    }
+  }
+
+ private:
+  void add_edge(FarPoint a, FarPoint b, int winding) {
+    if (a.u == b.u) {
+      if (a.u % grid_.column_steps != 0) add_piece(a, b, winding);
+      return;
+    }
+    const std::int64_t width = grid_.column_steps;
+    FarPoint from = a;
+    for (std::int64_t line = (a.u / width - (a.u % width < 0)) * width + width; line < b.u; line += width) {
+      const double part = static_cast<double>(line - a.u) / static_cast<double>(b.u - a.u);
+      const FarPoint to{line, a.z + std::llround(part * static_cast<double>(b.z - a.z))};
+      add_piece(from, to, winding);
+      from = to;
+    }
+    add_piece(from, b, winding);
+  }
+
+  // A piece within one column; cut further where it passes a height.
+  void add_piece(FarPoint a, FarPoint b, int winding) {
+    const std::int64_t width = grid_.column_steps;
+    const std::int64_t column = a.u / width - (a.u % width < 0);
+    const auto local = [&](FarPoint p) {
+      return GridPoint{static_cast<std::int32_t>(p.u - column * width),
+                       static_cast<std::int32_t>(p.z)};
+    };
+    Column& pieces = columns_[((column % grid_.columns) + grid_.columns) % grid_.columns];
+    GridPoint from = local(a);
+    const GridPoint end = local(b);
+    for (const std::int32_t height : heights_between(from.z, end.z)) {
+      const double part = static_cast<double>(height - a.z) / static_cast<double>(b.z - a.z);
+      const GridPoint to{static_cast<std::int32_t>(
+                             local(a).u + std::llround(part * static_cast<double>(b.u - a.u))),
+                         height};
+      if (from != to) pieces.push_back(ordered(from, to, winding));
+      from = to;
+    }
+    if (from != end) pieces.push_back(ordered(from, end, winding));
+  }
+
+  // The cut heights strictly between two heights, in the order in which they are passed.
+  Heights heights_between(std::int32_t from, std::int32_t to) const {
+    const auto first = std::upper_bound(cuts_.begin(), cuts_.end(), std::min(from, to));
+    const auto last = std::lower_bound(cuts_.begin(), cuts_.end(), std::max(from, to));
+    Heights between(first, std::max(first, last));
+    if (from > to) std::reverse(between.begin(), between.end());
+    return between;
+  }
+
+  const PlaneGrid& grid_;
+  std::span<const std::int32_t> cuts_;
+  std::vector<Column>& columns_;
+};
+
+// Is the point within one step of the edge's inside (not of its ends)?
+bool touches(GridPoint point, const ArrangedEdge& edge) {
+  const double du = edge.b.u - edge.a.u;
+  const double dz = edge.b.z - edge.a.z;
+  const double length_squared = du * du + dz * dz;
+  const double along = du * (point.u - edge.a.u) + dz * (point.z - edge.a.z);
+  if (along <= 0 || along >= length_squared) return false;
+  const auto off = static_cast<double>(turn(edge.a, edge.b, point));
+  return off * off < length_squared;
+}
+
+bool crosses(const ArrangedEdge& e, const ArrangedEdge& f) {
+  const auto side = [](std::int64_t x) { return (x > 0) - (x < 0); };
+  return side(turn(e.a, e.b, f.a)) * side(turn(e.a, e.b, f.b)) < 0 &&
+         side(turn(f.a, f.b, e.a)) * side(turn(f.a, f.b, e.b)) < 0;
+}
+
+GridPoint crossing_point(const ArrangedEdge& e, const ArrangedEdge& f) {
+  const auto from = static_cast<double>(turn(f.a, f.b, e.a));
+  const auto to = static_cast<double>(turn(f.a, f.b, e.b));
+  const double part = from / (from - to);
+  return {static_cast<std::int32_t>(e.a.u + std::lround(part * (e.b.u - e.a.u))),
+          static_cast<std::int32_t>(e.a.z + std::lround(part * (e.b.z - e.a.z)))};
+}
+
+// One pass over one column: finds where its edges must be cut, and cuts them.
+class ColumnSnapper {
+ public:
+  ColumnSnapper(Column& edges, const Heights& left, const Heights& right, std::int32_t column_steps)
+      : edges_(edges), column_steps_(column_steps), splits_(edges.size()) {
+    for (const ArrangedEdge& edge : edges) points_.insert(points_.end(), {edge.a, edge.b});
+    for (const std::int32_t z : left) points_.push_back({0, z});
+    for (const std::int32_t z : right) points_.push_back({column_steps, z});
+    const auto by_height = [](GridPoint p, GridPoint q) {
+      return p.z != q.z ? p.z < q.z : p.u < q.u;
+    };
+    std::sort(points_.begin(), points_.end(), by_height);
+    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+  }
+
+  // Returns whether anything changed.
+  bool run() {
+    find_touches();
+    find_crossings();
+    const bool changed = std::any_of(splits_.begin(), splits_.end(), [](auto& s) { return !s.empty(); });
+    if (changed) apply_splits();
+    return changed;
+  }
+
+ private:
+  static std::int32_t low(const ArrangedEdge& edge) { return std::min(edge.a.z, edge.b.z); }
+  static std::int32_t high(const ArrangedEdge& edge) { return std::max(edge.a.z, edge.b.z); }
+
+  void find_touches() {
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      const ArrangedEdge& edge = edges_[i];
+      auto point = std::lower_bound(points_.begin(), points_.end(), low(edge) - 1,
+                                    [](GridPoint p, std::int32_t z) { return p.z < z; });
+      for (; point != points_.end() && point->z <= high(edge) + 1; ++point) {
+        if (point->u < edge.a.u - 1 || point->u > edge.b.u + 1) continue;
+        if (touches(*point, edge)) splits_[i].push_back(*point);
+      }
+    }
+  }
+
+  void find_crossings() {
+    std::vector<std::size_t> order(edges_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](auto i, auto j) {
+      return low(edges_[i]) != low(edges_[j]) ? low(edges_[i]) < low(edges_[j]) : i < j;
+    });
+    std::vector<std::size_t> active;
+    for (const std::size_t i : order) {
+      std::erase_if(active, [&](auto j) { return high(edges_[j]) < low(edges_[i]); });
+      for (const std::size_t j : active) test_crossing(i, j);
+      active.push_back(i);
+    }
+  }
+
+  void test_crossing(std::size_t i, std::size_t j) {
+    const ArrangedEdge& e = edges_[i];
+    const ArrangedEdge& f = edges_[j];
+    if (e.b.u < f.a.u || f.b.u < e.a.u || !crosses(e, f)) return;
+    const GridPoint point = crossing_point(e, f);
+    if (point != e.a && point != e.b) splits_[i].push_back(point);
+    if (point != f.a && point != f.b) splits_[j].push_back(point);
+  }
+
+  void apply_splits() {
+    Column pieces;
+    pieces.reserve(edges_.size() + points_.size());
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      const ArrangedEdge& edge = edges_[i];
+      auto& stops = splits_[i];
+      const auto along = [&](GridPoint p) {
+        return std::int64_t{edge.b.u - edge.a.u} * (p.u - edge.a.u) +
+               std::int64_t{edge.b.z - edge.a.z} * (p.z - edge.a.z);
+      };
+      std::sort(stops.begin(), stops.end(), [&](GridPoint p, GridPoint q) {
+        return along(p) != along(q) ? along(p) < along(q) : p < q;
+      });
+      stops.push_back(edge.b);
+      GridPoint from = edge.a;
+      for (const GridPoint to : stops) {
+        if (from != to) add(pieces, ordered(from, to, edge.winding));
+        from = to;
+      }
+    }
+    edges_ = std::move(pieces);
+  }
+
+  void add(Column& pieces, const ArrangedEdge& piece) const {
+    if (!on_column_line(piece, column_steps_)) pieces.push_back(piece);
+  }
+
+  Column& edges_;
+  std::int32_t column_steps_;
+  std::vector<GridPoint> points_;
+  std::vector<std::vector<GridPoint>> splits_;
+};
+
+// Equal pieces become one. Where two strands share a side the sum may be 0: such a piece bounds nothing.
+void merge_equal(Column& edges) {
+  std::sort(edges.begin(), edges.end(), [](const ArrangedEdge& e, const ArrangedEdge& f) {
+    return e.a != f.a ? e.a < f.a : e.b < f.b;
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (kept > 0 && edges[kept - 1].a == edges[i].a && edges[kept - 1].b == edges[i].b) {
+      edges[kept - 1].winding += edges[i].winding;
+    } else {
+      edges[kept++] = edges[i];
+    }
+  }
+  edges.resize(kept);
+}
+
+// Adds the column's points on one of its lines to the points known there; says whether any was new.
+bool add_heights(const Column& edges, std::int32_t line_u, Heights& known) {
+  Heights found;
+  for (const ArrangedEdge& edge : edges) {
+    if (edge.a.u == line_u) found.push_back(edge.a.z);
+    if (edge.b.u == line_u) found.push_back(edge.b.z);
+  }
+  std::sort(found.begin(), found.end());
+  const std::size_t before = known.size();
+  Heights all;
+  std::set_union(known.begin(), known.end(), found.begin(), found.end(), std::back_inserter(all));
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  known = std::move(all);
+  return known.size() != before;
+}
+
+void snap_until_clean(Arrangement& plane) {
+  const int count = plane.grid.columns;
+  const std::int32_t width = plane.grid.column_steps;
+  std::vector<Heights> lines(count);
+  for (int c = 0; c < count; ++c) {
+    add_heights(plane.columns[c], 0, lines[c]);
+    add_heights(plane.columns[c], width, lines[(c + 1) % count]);
+  }
+  std::vector<char> dirty(count, 1);
+  for (int pass = 0; std::count(dirty.begin(), dirty.end(), 1) > 0; ++pass) {
+    if (pass == most_passes) {
+      throw GeometryError("strands graze each other so finely that their crossings cannot be told "
+                          "apart; change an angle, a count or a width slightly");
+    }
+    for (int c = 0; c < count; ++c) {
+      if (!dirty[c]) continue;
+      const int next = (c + 1) % count;
+      Column& edges = plane.columns[c];
+      dirty[c] = ColumnSnapper(edges, lines[c], lines[next], width).run();
+      if (!dirty[c]) continue;
+      merge_equal(edges);
+      if (add_heights(edges, 0, lines[c])) dirty[(c + count - 1) % count] = 1;
+      if (add_heights(edges, width, lines[next])) dirty[next] = 1;
+    }
+  }
+}
+
+// How many pieces the column lines will make of the outlines, before any is made.
+double expected_pieces(const Pattern& pattern, const PlaneGrid& grid, std::size_t cuts) {
+  const double column_width = pattern.circumference_mm / grid.columns;
+  double pieces = 0;
+  for (const Strand& strand : pattern.strands) {
+    for (std::size_t i = 0; i < strand.outline.size(); ++i) {
+      const PlanePoint& next = strand.outline[(i + 1) % strand.outline.size()];
+      pieces += 1 + std::abs(next.u - strand.outline[i].u) / column_width;
+    }
+  }
+  return pieces + static_cast<double>(cuts) * grid.columns;
+}
+
+}  // namespace
+
+Arrangement arrange(const Pattern& pattern, const PlaneGrid& grid,
+                    std::span<const std::int32_t> cuts) {
+  if (const double pieces = expected_pieces(pattern, grid, cuts.size()); !(pieces <= most_pieces)) {
+    throw GeometryError("the lattice would need about " + std::to_string(std::llround(pieces / 1e6)) +
+                        " million outline pieces; the limit is 20 million: use fewer strands, a "
+                        "steeper angle, a shorter segment or a coarser tolerance");
+  }
+  Arrangement plane{grid, {cuts.begin(), cuts.end()}, std::vector<Column>(grid.columns)};
+  Cutter cutter(grid, cuts, plane.columns);
+  for (const Strand& strand : pattern.strands) cutter.add_outline(strand.outline);
+  for (Column& column : plane.columns) {
+    for (const std::int32_t z : cuts) column.push_back({{0, z}, {grid.column_steps, z}, 0});
+    merge_equal(column);
+  }
+  snap_until_clean(plane);
+  return plane;
+}
+
+}  // namespace latticast

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/solid/plane_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numbers>
+
+namespace latticast {
+namespace {
+
+// Float32 keeps 24 bits: steps of 2^-22 of the largest coordinate stay at least two of its units apart.
+constexpr double float_resolution = 0x1p-22;
+
+}  // namespace
+
+double PlaneGrid::column_angle_rad() const { return 2 * std::numbers::pi / columns; }
+
+PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int columns, double step_mm) {
+  const double u_step = std::max(step_mm, circumference_mm * float_resolution);
+  const double z_step = std::max(step_mm, length_mm * float_resolution);
+  const double column_width = circumference_mm / columns;
+  const auto steps = std::max<std::uint64_t>(4, std::llround(column_width / u_step));
+  PlaneGrid grid;
+  grid.columns = columns;
+  grid.column_steps = static_cast<std::int32_t>(std::bit_ceil(steps));
+  grid.length_steps = static_cast<std::int32_t>(std::max(4.0, std::round(length_mm / z_step)));
+  grid.u_step_mm = column_width / grid.column_steps;
+  grid.z_step_mm = length_mm / grid.length_steps;
+  return grid;
+}
+
+}  // namespace latticast

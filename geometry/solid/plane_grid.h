@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The integer grid on which the unrolled plane is worked. The tube is a prism of flat columns; the grid
+// has the same whole number of steps in every column, so the seam is a grid line like any other.
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+namespace latticast {
+
+/// A grid point seen from one column: 0 <= u <= column_steps counts from the column's left line,
+/// 0 <= z <= length_steps from the segment's start. Ordered by u, then z.
+struct GridPoint {
+  std::int32_t u = 0;
+  std::int32_t z = 0;
+
+  friend auto operator<=>(const GridPoint&, const GridPoint&) = default;
+};
+
+struct PlaneGrid {
+  int columns = 0;                ///< flat columns around the tube
+  std::int32_t column_steps = 0;  ///< steps across one column, a power of two
+  std::int32_t length_steps = 0;  ///< steps along the segment
+  double u_step_mm = 0;           ///< at the radius where the plane is unrolled
+  double z_step_mm = 0;
+
+  double column_angle_rad() const;
+};
+
+/// A grid of at most `step_mm`, coarser where float32 coordinates could not tell two grid points apart
+/// (long or wide tubes). Precondition: columns >= 3, sizes positive.
+PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int columns,
+                          double step_mm = 2e-5);
+
+/// Twice the signed area of the triangle a, b, c in grid steps; exact. Positive if c lies to the left
+/// of a -> b.
+inline std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) {
+  return std::int64_t{b.u - a.u} * (c.z - a.z) - std::int64_t{b.z - a.z} * (c.u - a.u);
+}
+
+}  // namespace latticast

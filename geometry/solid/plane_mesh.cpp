@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/solid/plane_mesh.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace latticast {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<bool, Kernel,
+                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Cells = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+    CGAL::No_constraint_intersection_tag>;
+
+// An edge of one column by vertex number, with material on its left; a cut line has it on both sides.
+struct ColumnEdge {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+  bool is_outline = true;
+};
+
+// Numbers the vertices of a region and collects each column's edges.
+class Builder {
+ public:
+  explicit Builder(const Region& region) : region_(region), lines_(region.grid.columns) {
+    mesh_.grid = region.grid;
+    for (int line = 0; line < region.grid.columns; ++line) {
+      lines_[line] = line_points(region, line);
+      first_on_line_.push_back(static_cast<std::uint32_t>(mesh_.vertices.size()));
+      for (const LinePoint& point : lines_[line]) mesh_.vertices.push_back({line, {0, point.z}});
+    }
+  }
+
+  PlaneMesh run() {
+    for (int line = 0; line < region_.grid.columns; ++line) add_line_outline(line);
+    for (int column = 0; column < region_.grid.columns; ++column) add_column(column);
+    return std::move(mesh_);
+  }
+
+ private:
+  // Material on one side only of a stretch of column line: the region ends there.
+  void add_line_outline(int line) {
+    const std::vector<LinePoint>& points = lines_[line];
+    for (std::uint32_t i = 0; i + 1 < points.size(); ++i) {
+      if (points[i].inside_before == points[i].inside_after) continue;
+      const std::uint32_t low = first_on_line_[line] + i;
+      if (points[i].inside_before) mesh_.outline.push_back({low, low + 1});
+      if (points[i].inside_after) mesh_.outline.push_back({low + 1, low});
+    }
+  }
+
+  void add_column(int column) {
+    const std::vector<RegionEdge>& edges = region_.columns[column];
+    interior_.clear();
+    for (const RegionEdge& edge : edges) {
+      for (const GridPoint point : {edge.a, edge.b}) {
+        if (point.u != 0 && point.u != region_.grid.column_steps) interior_.push_back(point);
+      }
+    }
+    std::sort(interior_.begin(), interior_.end());
+    interior_.erase(std::unique(interior_.begin(), interior_.end()), interior_.end());
+    first_interior_ = static_cast<std::uint32_t>(mesh_.vertices.size());
+    for (const GridPoint point : interior_) mesh_.vertices.push_back({column, point});
+
+    const std::vector<ColumnEdge> bounds = column_edges(column);
+    if (!bounds.empty()) triangulate_column(column, bounds);
+  }
+
+  std::vector<ColumnEdge> column_edges(int column) {
+    std::vector<ColumnEdge> bounds;
+    for (const RegionEdge& edge : region_.columns[column]) {
+      std::uint32_t a = index_of(column, edge.a);
+      std::uint32_t b = index_of(column, edge.b);
+      if (!edge.inside_left) std::swap(a, b);
+      bounds.push_back({a, b, edge.is_outline()});
+      if (edge.is_outline()) mesh_.outline.push_back({a, b});
+    }
+    const int next = (column + 1) % region_.grid.columns;
+    for (std::uint32_t i = 0; i + 1 < lines_[column].size(); ++i) {
+      const std::uint32_t low = first_on_line_[column] + i;
+      if (lines_[column][i].inside_after) bounds.push_back({low + 1, low, true});
+    }
+    for (std::uint32_t i = 0; i + 1 < lines_[next].size(); ++i) {
+      const std::uint32_t low = first_on_line_[next] + i;
+      if (lines_[next][i].inside_before) bounds.push_back({low, low + 1, true});
+    }
+    return bounds;
+  }
+
+  std::uint32_t index_of(int column, GridPoint point) const {
+    if (point.u == 0) return on_line(column, point.z);
+    if (point.u == region_.grid.column_steps) {
+      return on_line((column + 1) % region_.grid.columns, point.z);
+    }
+    const auto at = std::lower_bound(interior_.begin(), interior_.end(), point);
+    return first_interior_ + static_cast<std::uint32_t>(at - interior_.begin());
+  }
+
+  std::uint32_t on_line(int line, std::int32_t z) const {
+    const auto at = std::lower_bound(lines_[line].begin(), lines_[line].end(), z,
+                                     [](const LinePoint& p, std::int32_t value) { return p.z < value; });
+    return first_on_line_[line] + static_cast<std::uint32_t>(at - lines_[line].begin());
+  }
+
+  // A region vertex as seen from a column: one on the next line lies at the column's right side.
+  Kernel::Point_2 position(int column, std::uint32_t vertex) const {
+    const PlaneMeshVertex& v = mesh_.vertices[vertex];
+    const bool on_left = v.column == column && vertex < first_on_line_[column] + lines_[column].size();
+    if (on_left || vertex >= first_interior_) {
+      return {static_cast<double>(v.point.u), static_cast<double>(v.point.z)};
+    }
+    return {static_cast<double>(region_.grid.column_steps), static_cast<double>(v.point.z)};
+  }
+
+  void triangulate_column(int column, const std::vector<ColumnEdge>& bounds) {
+    numbers_.clear();
+    for (const ColumnEdge& edge : bounds) numbers_.insert(numbers_.end(), {edge.from, edge.to});
+    std::sort(numbers_.begin(), numbers_.end());
+    numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
+
+    std::vector<std::pair<Kernel::Point_2, std::uint32_t>> points;
+    points.reserve(numbers_.size());
+    for (std::uint32_t i = 0; i < numbers_.size(); ++i) {
+      points.emplace_back(position(column, numbers_[i]), i);
+    }
+    Cells cells;
+    cells.insert(points.begin(), points.end());
+    std::vector<Cells::Vertex_handle> handles(numbers_.size());
+    for (const auto vertex : cells.finite_vertex_handles()) handles[vertex->info()] = vertex;
+
+    const auto handle_of = [&](std::uint32_t vertex) {
+      return handles[std::lower_bound(numbers_.begin(), numbers_.end(), vertex) - numbers_.begin()];
+    };
+    for (const ColumnEdge& edge : bounds) {
+      cells.insert_constraint(handle_of(edge.from), handle_of(edge.to));
+    }
+    for (const auto face : cells.all_face_handles()) face->info() = false;
+    for (const ColumnEdge& edge : bounds) fill_from(cells, handle_of(edge.from), handle_of(edge.to));
+  }
+
+  // Adds the material that lies on the left of an edge and has not been reached yet.
+  void fill_from(Cells& cells, Cells::Vertex_handle from, Cells::Vertex_handle to) {
+    Cells::Face_handle face;
+    int side = 0;
+    // The face found lies on the edge's left: is_edge gives it with from = cw(side), so turned around.
+    cells.is_edge(to, from, face, side);
+    if (face->vertex(Cells::ccw(side)) != from) face = face->neighbor(side);
+    std::vector<Cells::Face_handle> pending{face};
+    while (!pending.empty()) {
+      face = pending.back();
+      pending.pop_back();
+      if (face->info()) continue;
+      face->info() = true;
+      mesh_.triangles.push_back({numbers_[face->vertex(0)->info()], numbers_[face->vertex(1)->info()],
+                                 numbers_[face->vertex(2)->info()]});
+      for (int i = 0; i < 3; ++i) {
+        if (!face->is_constrained(i)) pending.push_back(face->neighbor(i));
+      }
+    }
+  }
+
+  const Region& region_;
+  PlaneMesh mesh_;
+  std::vector<std::vector<LinePoint>> lines_;
+  std::vector<std::uint32_t> first_on_line_;
+  std::vector<GridPoint> interior_;
+  std::vector<std::uint32_t> numbers_;  // the column's vertices by number, ascending
+  std::uint32_t first_interior_ = 0;
+};
+
+}  // namespace
+
+PlaneMesh triangulate(const Region& region) { return Builder(region).run(); }
+
+int pieces(const PlaneMesh& mesh) {
+  std::vector<std::uint32_t> parent(mesh.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  std::vector<char> used(mesh.vertices.size(), 0);
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t vertex : triangle) {
+      used[vertex] = 1;
+      parent[root(vertex)] = root(triangle[0]);
+    }
+  }
+  int count = 0;
+  for (std::uint32_t i = 0; i < parent.size(); ++i) count += used[i] && parent[i] == i;
+  return count;
+}
+
+}  // namespace latticast

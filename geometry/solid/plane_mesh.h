@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A region cut into triangles, none of which reaches across a column line or a cut height.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "geometry/solid/region.h"
+
+namespace latticast {
+
+struct PlaneMeshVertex {
+  int column = 0;   ///< a vertex on a line belongs to the column on the line's right, with u = 0
+  GridPoint point;
+};
+
+/// Triangles are counter-clockwise seen from outside the tube. Outline edges run with the material on
+/// their left; each closes into loops. Vertices are ordered by line, then by column: the same for every
+/// run and machine.
+struct PlaneMesh {
+  PlaneGrid grid;
+  std::vector<PlaneMeshVertex> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<std::array<std::uint32_t, 2>> outline;
+};
+
+/// Triangulates the inside of a region; constrained Delaunay, column by column (CGAL). Uses exactly the
+/// region's vertices. Time n log n.
+PlaneMesh triangulate(const Region& region);
+
+/// Number of connected pieces of the triangulated region.
+int pieces(const PlaneMesh& mesh);
+
+}  // namespace latticast

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solids of one segment: its lattice and its liner.
+#pragma once
+
+#include "geometry/mesh/triangle_mesh.h"
+#include "spec/design.h"
+
+namespace latticast {
+
+struct SolidOptions {
+  double tolerance_mm = 0.01;  ///< largest chord error
+  double start_z_mm = 0;       ///< where the segment begins along the actuator
+  double twist_rad_per_mm = 0; ///< largest twist that the mesh will be given later (preview)
+  double stretch_radius = 1;   ///< largest factor by which its outer radius will grow later (preview)
+};
+
+/// A mesh with what the planar region says that it must be.
+struct Solid {
+  TriangleMesh mesh;
+  double volume_mm3 = 0;        ///< exact: region area x (R_o^2 - R_m^2) / (2 R_c)
+  double volume_bound_mm3 = 0;  ///< how far a mesh within the tolerance may be from it
+  int pieces = 0;               ///< connected components
+  int genus = 0;                ///< summed over the pieces
+};
+
+/// The lattice layer R_m..R_o of a segment. Precondition: the segment has a lattice.
+/// Throws GeometryError, UnsupportedDesign (arrangement.h, pattern.h).
+Solid lattice_solid(const Segment& segment, const SolidOptions& options);
+
+/// The liner R_i..R_m, open at both ends.
+Solid liner_solid(const Segment& segment, const SolidOptions& options);
+
+}  // namespace latticast

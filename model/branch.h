@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Follows one branch of equilibria from the rest state, with pressure as the parameter.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/balance.h"
+#include "model/limit_point.h"
+#include "model/newton.h"
+
+namespace latticast {
+
+/// An equilibrium on the branch with what is needed to go on from it.
+struct BranchState {
+  BranchPoint x{};
+  BalanceAt balance;
+  BranchPoint tangent{};           ///< unit vector along the branch, in the direction of travel
+  double smallest_eigenvalue = 0;  ///< of the scaled stiffness
+  int negative_eigenvalues = 0;
+  double nearest_eigenvalue = 0;   ///< the one nearest to zero
+  double error_estimate = 0;       ///< set where a requested pressure was landed on
+};
+
+enum class Reached { target, end, lost };
+
+/// Pseudo-arclength continuation (H. B. Keller, 1977): predict along the tangent, correct by Newton's
+/// method square to it, land on a requested pressure by correcting at that pressure. A step counts only
+/// if the correction is small against it and the tangent turns little; otherwise it is shortened.
+class Branch {
+ public:
+  Branch(const Section& section, Held held, const SolverOptions& options);
+
+  /// Back to the rest state, which is exact.
+  void restart();
+
+  /// Follows the branch on to `pressure_mpa`. Between two calls of restart() pressures must go away
+  /// from zero. After `end` (no equilibrium at that pressure) or `lost` (the path could not be
+  /// followed), here() is the last equilibrium before.
+  Reached advance_to(double pressure_mpa);
+
+  const BranchState& here() const { return here_; }
+  const Balance& balance() const { return balance_; }
+
+  /// Critical points met since restart(), in that order; all but a bifurcation end the branch.
+  const std::vector<CriticalPoint>& critical_points() const { return critical_points_; }
+
+  /// Newton iterations since construction.
+  int iterations() const { return iterations_; }
+
+ private:
+  struct Step {
+    BranchState state;
+    double turning = 0;  // correction against step
+    bool accepted = false;
+  };
+
+  std::optional<BranchState> corrected(const BranchPoint& start, const BranchPoint& normal);
+  Step try_step(const BranchPoint& start, const BranchPoint& normal);
+  BranchPoint ahead(double length) const;
+  BranchPoint pressure_axis() const;
+  bool at_end(double target, double sign) const;
+  bool grown_without_end();
+  bool land_before(const CriticalPoint& limit, double target);
+  std::optional<CriticalPoint> limit_point_before(const BranchState& beyond);
+  std::optional<CriticalPoint> bifurcation_before(const BranchState& beyond);
+  void finish_landing();
+
+  Balance balance_;
+  SolverOptions options_;
+  int n_;  // free coordinates; the pressure is entry n_ of a point
+  NewtonSolver newton_;
+  std::optional<NewtonSolver> limit_newton_;  // made when first needed
+  BranchState here_;
+  double reach_ = 0;  // arc length that the next step may try
+  std::vector<CriticalPoint> critical_points_;
+  int iterations_ = 0;
+};
+
+}  // namespace latticast

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How large and how small the numbers of a design or material may be. Everything outside these
+// limits is a slip of the pen, and is refused before anything of that size is made.
+#pragma once
+
+#include <cstddef>
+
+namespace latticast {
+
+/// The numbers from `low` to `high`; with `ends_excluded`, neither of the two. Not a number is
+/// outside.
+struct Range {
+  double low = 0;
+  double high = 0;
+  const char* unit = "";  ///< empty: a pure number
+  bool ends_excluded = false;
+
+  bool contains(double x) const {
+    return ends_excluded ? x > low && x < high : x >= low && x <= high;
+  }
+};
+
+namespace limits {
+
+inline constexpr std::size_t file_bytes = 4'000'000;
+inline constexpr std::size_t name_bytes = 100;
+inline constexpr int nesting = 32;  ///< of tables and lists, and parts of a dotted key
+
+inline constexpr Range length{1e-3, 1e5, "mm"};
+inline constexpr Range grid_angle{0, 180, "degrees", true};
+inline constexpr Range horseshoe_arc{20, 300, "degrees"};
+inline constexpr Range pressure{-1e5, 1e5, "kPa"};
+inline constexpr Range tolerance{1e-5, 1, "mm"};
+
+inline constexpr Range modulus{1e-6, 1e6, "MPa"};
+inline constexpr Range stiffening{-1e6, 1e6, "MPa"};  ///< Yeoh's c2 and c3, of either sign
+inline constexpr Range poisson_ratio{0, 0.5};
+inline constexpr Range gent_limit{1e-3, 1e6};
+inline constexpr Range strain{1e-3, 100};
+inline constexpr Range density{0.01, 30, "g/cm3"};
+inline constexpr Range modulus_low{1e-3, 1};
+inline constexpr Range modulus_high{1, 1e3};
+
+inline constexpr int segments = 100;
+inline constexpr int strands_or_rings = 10'000;
+inline constexpr int families = 100;
+inline constexpr int mold_pieces = 100;
+inline constexpr int load_cases = 100'000;
+inline constexpr int preview_pressures = 1'000;
+inline constexpr double strand_turns = 1'000;  ///< of one strand around the tube
+inline constexpr double arcs = 10'000;         ///< of one horseshoe strand
+inline constexpr double crossings = 1e6;       ///< of strands and rings on one segment
+
+}  // namespace limits
+}  // namespace latticast

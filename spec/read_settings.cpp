@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spec/read_settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "spec/pressure_sweep.h"
+
+namespace latticast {
+namespace {
+
+std::vector<double> read_sweep(const Field& field) {
+  Section table = field.section("");
+  PressureSweep sweep;
+  sweep.from_kpa = table.need("from", "from = 0").number(limits::pressure);
+  sweep.to_kpa = table.need("to", "to = 60").number(limits::pressure);
+  const Field step = table.need("step", "step = 5");
+  sweep.step_kpa = step.number(limits::pressure);
+  table.refuse_unknown_keys();
+  if (std::isnan(sweep.from_kpa + sweep.to_kpa + sweep.step_kpa)) return {};
+  const double size = sweep_size(sweep);
+  if (size == 0) {
+    step.refuse("must lead from `from` to `to`, in steps that are not zero",
+                sweep.to_kpa < sweep.from_kpa ? "write a negative step" : "write a positive step");
+  } else if (size > limits::load_cases) {
+    step.refuse(fmt::format("a sweep must not hold more than {} pressures; this one holds {:.6g}",
+                            limits::load_cases, size),
+                "use a larger step");
+  } else {
+    return sweep_pressures_kpa(sweep);
+  }
+  return {};
+}
+
+std::vector<double> read_common_pressures(const Field& field) {
+  if (field.is_table()) return read_sweep(field);
+  if (field.is_number()) return {field.number(limits::pressure)};
+  field.refuse("must be a number in kPa or a sweep { from, to, step }",
+               "for chosen pressures or one per segment, write a [[load.case]] for each");
+  return {};
+}
+
+LoadCase read_case(Section table, std::size_t segments) {
+  const Field pressure = table.need("pressure", "pressure = 30");
+  LoadCase load;
+  if (pressure.is_list()) {
+    load.pressures_kpa = pressure.numbers(1, limits::segments, limits::pressure);
+    if (segments > 0 && !load.pressures_kpa.empty() && load.pressures_kpa.size() != segments) {
+      pressure.refuse(fmt::format("must hold one pressure per segment: {} for {} segments",
+                                  load.pressures_kpa.size(), segments),
+                      "or write a single number for all segments");
+    }
+  } else {
+    load.pressures_kpa.assign(segments, pressure.number(limits::pressure));
+  }
+  table.refuse_unknown_keys();
+  return load;
+}
+
+std::optional<LatticeMold> read_lattice_mold(const Field& field) {
+  if (!field.present()) return std::nullopt;
+  Section table = field.section(R"(write lattice_mold = { pieces = "auto", wall = 5 }, or {})");
+  LatticeMold mold;
+  const Field pieces = table.may("pieces");
+  const bool is_auto = pieces.is_text() && pieces.text() == "auto";
+  if (pieces.is_text() && !is_auto) {
+    pieces.refuse("must be \"auto\" or a whole number", R"(write pieces = "auto" or pieces = 4)");
+  } else if (!is_auto) {
+    mold.pieces = pieces.whole(2, limits::mold_pieces);
+  }
+  mold.wall_mm = table.may("wall").number_or(mold.wall_mm, limits::length);
+  table.refuse_unknown_keys();
+  return mold;
+}
+
+std::optional<LinerMold> read_liner_mold(const Field& field) {
+  if (!field.present()) return std::nullopt;
+  Section table = field.section("write liner_mold = { wall = 5 }, or {}");
+  LinerMold mold;
+  mold.wall_mm = table.may("wall").number_or(mold.wall_mm, limits::length);
+  table.refuse_unknown_keys();
+  return mold;
+}
+
+std::optional<Preview> read_preview(const Field& field) {
+  if (!field.present()) return std::nullopt;
+  Section table = field.section("write preview = { pressures = [0, 20, 40] }");
+  const Field pressures = table.need("pressures", "pressures = [0, 20, 40]");
+  table.refuse_unknown_keys();
+  return Preview{pressures.numbers(1, limits::preview_pressures, limits::pressure)};
+}
+
+std::vector<MeshFormat> read_formats(const Field& field) {
+  constexpr Word<MeshFormat> words[] = {{"stl", MeshFormat::stl},
+                                        {"obj", MeshFormat::obj},
+                                        {"3mf", MeshFormat::three_mf},
+                                        {"ply", MeshFormat::ply},
+                                        {"glb", MeshFormat::glb}};
+  // A list without duplicates cannot be longer than the words; the bound leaves room to name each
+  // duplicate.
+  constexpr std::size_t longest = 20;
+  std::vector<MeshFormat> formats;
+  std::vector<std::string> seen;
+  for (const Field& item : field.items(1, longest, R"(write formats = ["stl", "obj"])")) {
+    const MeshFormat format = item.word_or(MeshFormat::stl, words);
+    const std::string typed = item.is_text() ? *item.text() : "";
+    if (std::find(seen.begin(), seen.end(), typed) != seen.end()) {
+      item.refuse("must not be named twice", "leave it out");
+    }
+    seen.push_back(typed);
+    formats.push_back(format);
+  }
+  return formats;
+}
+
+double thinnest_feature_mm(const std::vector<Segment>& segments) {
+  double thinnest = std::numeric_limits<double>::infinity();
+  // fmin passes over NaN, the mark of a refused number.
+  const auto meet = [&thinnest](double size_mm) { thinnest = std::fmin(thinnest, size_mm); };
+  for (const Segment& segment : segments) {
+    meet(segment.liner.thickness_mm);
+    if (!segment.lattice) continue;
+    meet(segment.lattice->thickness_mm);
+    if (segment.lattice->rings) meet(segment.lattice->rings->width_mm);
+    for (const Grid& grid : segment.lattice->grids) {
+      for (const double width : grid.widths_mm) meet(width);
+    }
+  }
+  return thinnest;
+}
+
+}  // namespace
+
+std::vector<LoadCase> read_load(const Field& field, std::size_t segments) {
+  Section table = field.section("start with a line [load]");
+  std::vector<LoadCase> cases;
+  for (const double pressure : read_common_pressures(table.may("pressure"))) {
+    cases.push_back({std::vector<double>(segments, pressure)});
+  }
+  constexpr std::string_view hint = "start each case with a line [[load.case]]";
+  for (const Field& item : table.may("case").items(1, limits::load_cases, hint)) {
+    cases.push_back(read_case(item.section(hint), segments));
+  }
+  table.refuse_unknown_keys();
+  return cases;
+}
+
+ModelChoice read_model(const Field& field) {
+  constexpr Word<WallKind> kinds[] = {{"layered", WallKind::layered},
+                                      {"mixture", WallKind::mixture}};
+  constexpr Word<ColumnModel> columns[] = {{"distributed", ColumnModel::distributed},
+                                           {"rods", ColumnModel::rods}};
+  constexpr Word<JointModel> joints[] = {{"none", JointModel::none},
+                                         {"paper", JointModel::paper},
+                                         {"clear-span", JointModel::clear_span}};
+  Section table = field.section("start with a line [model]");
+  ModelChoice model;
+  model.wall = table.may("kind").word_or(model.wall, kinds);
+  model.columns = table.may("columns").word_or(model.columns, columns);
+  model.joint = table.may("joint").word_or(model.joint, joints);
+  table.refuse_unknown_keys();
+  return model;
+}
+
+Make read_make(const Field& field, const std::vector<Segment>& segments) {
+  Section table = field.section("start with a line [make]");
+  const Field lattice = table.may("lattice");
+  const Field lattice_mold = table.may("lattice_mold");
+  Make make;
+  make.lattice = lattice.flag_or(false);
+  make.liner = table.may("liner").flag_or(false);
+  make.lattice_mold = read_lattice_mold(lattice_mold);
+  make.liner_mold = read_liner_mold(table.may("liner_mold"));
+  make.preview = read_preview(table.may("preview"));
+  make.report = table.may("report").flag_or(false);
+  table.refuse_unknown_keys();
+
+  const auto has_lattice = [](const Segment& segment) { return segment.lattice.has_value(); };
+  if (!segments.empty() && std::none_of(segments.begin(), segments.end(), has_lattice)) {
+    const std::string rule = "a lattice must be there to be made, but no segment has one";
+    const std::string hint = "add [segment.lattice], or leave this out";
+    if (make.lattice) lattice.refuse(rule, hint);
+    if (make.lattice_mold) lattice_mold.refuse(rule, hint);
+  }
+  return make;
+}
+
+Export read_export(Section& file, const std::vector<Segment>& segments) {
+  const Field field = file.may("export");
+  Section table = field.section("start with a line [export]");
+  Export output;
+  const Field formats = table.may("formats");
+  const Field tolerance = table.may("tolerance");
+  if (formats.present()) output.formats = read_formats(formats);
+  output.tolerance_mm = tolerance.number_or(output.tolerance_mm, limits::tolerance);
+  table.refuse_unknown_keys();
+  const double thinnest = thinnest_feature_mm(segments);
+  if (output.tolerance_mm >= thinnest) {
+    const std::string rule = fmt::format(
+        "export.tolerance (here {} mm) must be finer than the thinnest layer, strand or ring, {} "
+        "mm",
+        output.tolerance_mm, thinnest);
+    // The default breaks the rule as well as a written value does; then the file is to blame.
+    const Field& nearest = field.present() ? field : file.table();
+    (tolerance.present() ? tolerance : nearest).refuse(rule, "use a finer tolerance, as in 0.001");
+  }
+  return output;
+}
+
+Printer read_printer(const Field& field) {
+  constexpr Word<Process> processes[] = {{"fdm", Process::fdm}, {"sla", Process::sla}};
+  Section table = field.section("start with a line [printer]");
+  Printer printer;
+  printer.process = table.may("process").word_or(printer.process, processes);
+  printer.min_wall_mm = table.may("min_wall").optional_number(limits::length);
+  printer.min_gap_mm = table.may("min_gap").optional_number(limits::length);
+  printer.clearance_mm = table.may("clearance").optional_number(limits::length);
+  const Field bed = table.may("bed");
+  if (bed.present()) {
+    const std::vector<double> sides = bed.numbers(3, 3, limits::length);
+    if (sides.size() == 3) printer.bed_mm = {sides[0], sides[1], sides[2]};
+  }
+  table.refuse_unknown_keys();
+  return printer;
+}
+
+}  // namespace latticast

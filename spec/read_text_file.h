@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace latticast {
+
+/// The file's bytes, but not more than one beyond limits::file_bytes: enough for whoever reads them
+/// to refuse the file without holding all of it. Throws FileError when the file cannot be read.
+std::string read_text_file(const std::filesystem::path& file);
+
+}  // namespace latticast

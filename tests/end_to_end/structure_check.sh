@@ -1,0 +1,156 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# structure_check.sh ROOT: the rules of the tree that no compiler checks. Prints each violation as
+# "FILE:LINE: what is wrong" and exits 1 when there is one.
+#
+#   - A folder includes only what lies below it (table `below`).
+#   - A third-party header is included only in the folder that owns the library (table `owners`), and
+#     no file of another folder reaches it through that folder's headers.
+#   - Every source starts with its licence.
+#   - No file names a folder of somebody's machine.
+set -euo pipefail
+shopt -s inherit_errexit
+export LC_ALL=C
+cd "${1:?usage: structure_check.sh ROOT}"
+
+# A folder, then everything that it may include besides itself. app, bench and tests may include all.
+below='
+spec
+geometry/mesh
+geometry/pattern  spec geometry/mesh
+geometry/solid    spec geometry/mesh geometry/pattern
+model             spec geometry/mesh geometry/pattern
+molds             spec geometry/mesh geometry/pattern geometry/solid
+export            spec geometry/mesh
+app               *
+bench             *
+tests             *
+'
+
+# A header as it is included, as a regular expression, then the folders that may include it.
+owners='
+^toml\+\+/           spec
+^fmt/                spec geometry/mesh geometry/pattern geometry/solid model molds export app
+^Eigen/              geometry/mesh geometry/pattern geometry/solid model
+^(CGAL|boost)/       geometry/solid molds
+^(gmp|gmpxx|mpfr)\.h geometry/solid molds
+^(sundials|kinsol|cvodes|nvector|sunmatrix|sunlinsol|sunnonlinsol)/ model
+^assimp/             export
+^png\.h              export
+^(CLI|nlohmann)/     app
+^benchmark/          bench
+^(unistd|fcntl|signal|poll)\.h export app
+^sys/                export app
+'
+
+files() {
+  find . \( -path ./.git -o -path ./build -o -path ./out -o -path ./.cache \) -prune -o \
+    -type f -print | sed 's|^\./||' | sort
+}
+
+include_violations() {
+  { grep -E '\.(h|cpp)$' || true; } |
+    { xargs -d '\n' -r grep -HnE '^[[:space:]]*#[[:space:]]*include' || true; } |
+    awk -v below="$below" -v owners="$owners" '
+    function folder_of(path, parts) {
+      split(path, parts, "/")
+      return parts[1] == "geometry" ? parts[1] "/" parts[2] : parts[1]
+    }
+    function may_reach(from, to) {
+      return from == to || index(allowed[from], " " to " ") || index(allowed[from], " * ")
+    }
+    BEGIN {
+      n = split(below, lines, "\n")
+      for (i = 1; i <= n; ++i) {
+        m = split(lines[i], words, " ")
+        if (m == 0) continue
+        allowed[words[1]] = " "
+        for (j = 2; j <= m; ++j) allowed[words[1]] = allowed[words[1]] words[j] " "
+      }
+      n = split(owners, lines, "\n")
+      for (i = 1; i <= n; ++i) {
+        m = split(lines[i], words, " ")
+        if (m == 0) continue
+        header[++rules] = words[1]
+        for (j = 2; j <= m; ++j) owner[rules] = owner[rules] " " words[j] " "
+      }
+    }
+    {
+      split($0, place, ":")
+      file = place[1]
+      at = file ":" place[2] ": "
+      from = folder_of(file)
+      if (!(from in allowed)) {
+        print at "the folder " from " has no place in the order of folders"
+        next
+      }
+      if (match($0, /"[^"]*"/)) {
+        target = substr($0, RSTART + 1, RLENGTH - 2)
+        to = folder_of(target)
+        if (target !~ "/" || target ~ /(^|\/)\.\.?\//)
+          print at "\"" target "\" is not relative to the root of the tree"
+        else if (!may_reach(from, to))
+          print at from " must not include " to " (\"" target "\")"
+        ++count
+        includer[count] = file; included[count] = target; where[count] = at
+      } else if (match($0, /<[^>]*>/)) {
+        target = substr($0, RSTART + 1, RLENGTH - 2)
+        if (target !~ /[.\/]/) next  # the standard library
+        known = permitted = from == "tests"
+        for (i = 1; i <= rules; ++i) {
+          if (target !~ header[i]) continue
+          known = 1
+          if (index(owner[i], " " from " ")) permitted = 1
+        }
+        if (!known)
+          print at "<" target "> belongs to no folder"
+        else if (!permitted)
+          print at "<" target "> is not for " from
+        if (file ~ /\.h$/ && !(file in exposes)) exposes[file] = "<" target ">"
+      }
+    }
+    END {
+      do {
+        grown = 0
+        for (i = 1; i <= count; ++i)
+          if (includer[i] ~ /\.h$/ && included[i] in exposes && !(includer[i] in exposes) &&
+              folder_of(includer[i]) == folder_of(included[i])) {
+            exposes[includer[i]] = exposes[included[i]]
+            grown = 1
+          }
+      } while (grown)
+      for (i = 1; i <= count; ++i) {
+        from = folder_of(includer[i])
+        if (from != "tests" && included[i] in exposes && from != folder_of(included[i]))
+          print where[i] "\"" included[i] "\" carries " exposes[included[i]] " out of its folder"
+      }
+    }'
+}
+
+# Designs that users copy (examples) and test data carry no licence line of their own.
+licence_violations() {
+  { grep -E '(\.(h|cpp|in|cmake|sh|py|toml)|(^|/)CMakeLists\.txt|^dev|^\.ci/run)$' || true; } |
+    { grep -vE '^(examples|tests/golden)/' || true; } |
+    while read -r file; do
+      head -n 2 "$file" | awk -v file="$file" '
+        NR == 1 && /^#!/ { script = 1 }
+        NR == 1 + script && /^(\/\/|#) SPDX-License-Identifier: GPL-3\.0-or-later$/ { found = 1 }
+        END { if (!found) print file ":1: the SPDX licence line is missing" }'
+    done
+}
+
+machine_path_violations() {
+  xargs -d '\n' -r grep -InE '(^|[^[:alnum:]_.~-])/(home|root|Users|work)/' |
+    sed -E 's/^([^:]*:[0-9]+:).*/\1 names a folder of one machine/' || true
+}
+
+# A new folder or library is added to the tables above.
+violations=$(
+  files | include_violations
+  files | licence_violations
+  files | machine_path_violations
+)
+[[ -z $violations ]] || {
+  printf '%s\n' "$violations"
+  exit 1
+}

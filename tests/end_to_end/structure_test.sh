@@ -1,0 +1,100 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# structure_test.sh ROOT: the check itself on small trees with one violation each, then the real tree.
+set -euo pipefail
+root=$(cd "${1:?usage: structure_test.sh ROOT}" && pwd)
+check=$root/tests/end_to_end/structure_check.sh
+tree=$(mktemp -d)
+trap 'rm -rf "$tree"' EXIT
+failures=0
+
+# put FILE LINE...: a file of the small tree.
+put() {
+  mkdir -p "$tree/$(dirname "$1")"
+  printf '%s\n' "${@:2}" >"$tree/$1"
+}
+
+# Kept apart from what follows them, so that this file names no such folder itself.
+home=/home
+work=/work
+licence='// SPDX-License-Identifier: GPL-3.0-or-later'
+
+lay_good_tree() {
+  rm -rf "${tree:?}"/*
+  put dev '#!/usr/bin/env bash' '# SPDX-License-Identifier: GPL-3.0-or-later' 'rm -rf out/work/old'
+  put spec/design.h "$licence" '#include <vector>'
+  put spec/private_reader.h "$licence" '#include <toml++/toml.h>'
+  put spec/reader.cpp "$licence" '#include "spec/private_reader.h"' '#include "spec/design.h"'
+  put geometry/mesh/triangle_mesh.h "$licence"
+  put geometry/solid/audit.h "$licence" '#include "geometry/mesh/triangle_mesh.h"'
+  put geometry/solid/audit.cpp "$licence" '#include <CGAL/box_intersection_d.h>' '#include "spec/design.h"'
+  put model/section.h "$licence" '#include "spec/design.h"'
+  put app/build.cpp "$licence" '#include <CLI/CLI.hpp>' '#include "geometry/solid/audit.h"' '#include "model/section.h"'
+  put tests/unit/audit_test.cpp "$licence" '#include <gtest/gtest.h>' '#include "spec/private_reader.h"'
+  put examples/one.toml '# A design' 'name = "https://example.org/work/one"'
+  put build/generated.cpp '#include "../x.h"'
+}
+
+# refused NAME EXPECTED: the small tree has exactly one violation, reported as EXPECTED (a pattern).
+refused() {
+  local report status=0
+  report=$(bash "$check" "$tree") || status=$?
+  if [[ $status -ne 1 || $(grep -c . <<<"$report") -ne 1 ]] || ! grep -qE "$2" <<<"$report"; then
+    echo "FAILED: $1: exit status $status, report: $report"
+    failures=$((failures + 1))
+  fi
+}
+
+# violation FILE LINE EXPECTED: adds LINE to FILE of a good tree.
+violation() {
+  lay_good_tree
+  mkdir -p "$tree/$(dirname "$1")"
+  [[ -e $tree/$1 ]] || put "$1" "$licence"
+  printf '%s\n' "$2" >>"$tree/$1"
+  refused "$2 in $1" "$3"
+}
+
+lay_good_tree
+bash "$check" "$tree" || {
+  echo "FAILED: a good tree is refused"
+  failures=$((failures + 1))
+}
+
+violation spec/design.h '#include "model/section.h"' '^spec/design.h:3: spec must not include model'
+violation spec/design.h '#include "geometry/mesh/triangle_mesh.h"' 'spec must not include geometry/mesh'
+violation geometry/mesh/triangle_mesh.h '  #  include "spec/design.h"' 'geometry/mesh must not include spec'
+violation geometry/pattern/rings.cpp '#include "geometry/solid/audit.h"' 'pattern must not include geometry/solid'
+violation geometry/solid/audit.cpp '#include "model/section.h"' 'geometry/solid must not include model'
+violation model/section.h '#include "geometry/solid/audit.h"' 'model must not include geometry/solid'
+violation export/files.cpp '#include "model/section.h"' 'export must not include model'
+violation export/files.cpp '#include "geometry/solid/audit.h"' 'export must not include geometry/solid'
+violation molds/parting.cpp '#include "model/section.h"' 'molds must not include model'
+violation model/section.h '#include "app/build.h"' 'model must not include app'
+violation model/section.h '#include "../spec/design.h"' 'not relative to the root'
+violation model/section.h '#include "design.h"' 'not relative to the root'
+violation attic/old.cpp '#include "spec/design.h"' 'attic has no place'
+violation model/section.cpp '#include <toml++/toml.h>' '<toml\+\+/toml.h> is not for model'
+violation model/section.cpp '#include <CGAL/number_utils.h>' 'is not for model'
+violation geometry/pattern/rings.cpp '#include <boost/config.hpp>' 'is not for geometry/pattern'
+violation geometry/solid/audit.cpp '#include <kinsol/kinsol.h>' 'is not for geometry/solid'
+violation app/build.cpp '#include <assimp/scene.h>' 'is not for app'
+violation app/build.cpp '#include <png.h>' 'is not for app'
+violation spec/reader.cpp '#include <nlohmann/json.hpp>' 'is not for spec'
+violation model/section.cpp '#include <unheard/of.h>' 'belongs to no folder'
+violation app/build.cpp '#include "spec/private_reader.h"' 'carries <toml\+\+/toml.h> out of its folder'
+violation docs/page.md "Look in $home/someone/latticast" '^docs/page.md:2: names a folder'
+violation app/build.cpp "// see $work/notes.txt" '^app/build.cpp:5: names a folder'
+
+lay_good_tree
+put spec/wrapper.h "$licence" '#include "spec/private_reader.h"'
+put model/section.h "$licence" '#include "spec/wrapper.h"'
+refused 'a third-party header two steps away' '^model/section.h:2: .*carries'
+
+for file in spec/plain.h molds/plain.cpp model/CMakeLists.txt cmake/plain.cmake spec/plain.toml dev tests/plain.sh; do
+  lay_good_tree
+  put "$file" 'no licence'
+  refused "no licence in $file" "^$file:1: the SPDX licence line is missing"
+done
+
+bash "$check" "$root" || failures=$((failures + 1))
+[[ $failures -eq 0 ]] || exit 1

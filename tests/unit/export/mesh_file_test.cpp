@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/mesh_file.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <random>
+
+#include <assimp/Exporter.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <gtest/gtest.h>
+
+#include "geometry/mesh/weld.h"
+#include "spec/file_error.h"
+#include "tests/unit/export/example_meshes.h"
+#include "tests/unit/export/test_folder.h"
+
+namespace latticast {
+namespace {
+
+std::uint32_t bits(double value) {
+  return std::bit_cast<std::uint32_t>(static_cast<float>(value));
+}
+
+/// Corner by corner and bit by bit at float32, whatever the vertices' numbering; NaN equals NaN.
+void expect_same_corners(const TriangleMesh& a, const TriangleMesh& b) {
+  ASSERT_EQ(a.triangles.size(), b.triangles.size());
+  for (std::size_t i = 0; i < a.triangles.size(); ++i) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double x = a.vertices.at(a.triangles[i][corner])[axis];
+        const double y = b.vertices.at(b.triangles[i][corner])[axis];
+        if (std::isnan(x) && std::isnan(y)) {
+          continue;
+        }
+        ASSERT_EQ(bits(x), bits(y))
+            << "triangle " << i << " corner " << corner << ": " << x << " and " << y;
+      }
+    }
+  }
+}
+
+/// Coordinates from all float32 bit patterns: tiny, huge, infinite, NaN and both zeros.
+TriangleMesh any_floats(unsigned seed) {
+  std::mt19937 random(seed);
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    Point point;
+    for (double& x : point) {
+      x = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+    }
+    mesh.vertices.push_back(point);
+    if (i % 3 == 2) {
+      mesh.triangles.push_back({i - 2, i - 1, i});
+    }
+  }
+  mesh.vertices[0] = {-0.0, 0.0, INFINITY};
+  mesh.vertices[1] = {-INFINITY, NAN, 1e300};
+  mesh.vertices[2] = {1.17549435e-38, 1e-45, 3.4028235e38};
+  return mesh;
+}
+
+TriangleMesh read_by_assimp(const std::filesystem::path& file) {
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(file.string(), 0);
+  EXPECT_NE(scene, nullptr) << importer.GetErrorString();
+  TriangleMesh mesh;
+  const aiMesh& read = *scene->mMeshes[0];
+  for (unsigned i = 0; i < read.mNumVertices; ++i) {
+    mesh.vertices.push_back({read.mVertices[i].x, read.mVertices[i].y, read.mVertices[i].z});
+  }
+  for (unsigned i = 0; i < read.mNumFaces; ++i) {
+    const unsigned* corner = read.mFaces[i].mIndices;
+    mesh.triangles.push_back({corner[0], corner[1], corner[2]});
+  }
+  return mesh;
+}
+
+/// A scene of one mesh below the root, moved by `offset`.
+std::unique_ptr<aiScene> assimp_scene(const TriangleMesh& mesh, const aiVector3D& offset) {
+  auto part = std::make_unique<aiMesh>();
+  part->mPrimitiveTypes = aiPrimitiveType_TRIANGLE;
+  part->mNumVertices = static_cast<unsigned>(mesh.vertices.size());
+  part->mVertices = new aiVector3D[mesh.vertices.size()];
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Point& p = mesh.vertices[i];
+    part->mVertices[i] =
+        aiVector3D(static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]));
+  }
+  part->mNumFaces = static_cast<unsigned>(mesh.triangles.size());
+  part->mFaces = new aiFace[mesh.triangles.size()];
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    part->mFaces[i].mNumIndices = 3;
+    part->mFaces[i].mIndices = new unsigned[3];
+    std::copy(mesh.triangles[i].begin(), mesh.triangles[i].end(), part->mFaces[i].mIndices);
+  }
+  auto scene = std::make_unique<aiScene>();
+  scene->mMeshes = new aiMesh* [1] { part.release() };
+  scene->mNumMeshes = 1;
+  scene->mMaterials = new aiMaterial* [1] { new aiMaterial };
+  scene->mNumMaterials = 1;
+  auto* child = new aiNode("part");
+  child->mMeshes = new unsigned[1]{0};
+  child->mNumMeshes = 1;
+  aiMatrix4x4::Translation(offset, child->mTransformation);
+  scene->mRootNode = new aiNode("root");
+  scene->mRootNode->addChildren(1, &child);
+  return scene;
+}
+
+class MeshFile : public testing::TestWithParam<MeshFormat> {
+ protected:
+  std::filesystem::path file(const std::string& name) const {
+    return folder_ / (name + std::string(extension(GetParam())));
+  }
+  TestFolder folder_;
+};
+
+INSTANTIATE_TEST_SUITE_P(Written, MeshFile, testing::Values(MeshFormat::stl, MeshFormat::obj),
+                         [](const auto& instance) {
+                           return std::string(extension(instance.param).substr(1));
+                         });
+
+TEST_P(MeshFile, ReadsBackBitForBit) {
+  const TriangleMesh mesh = torus(97, 31);
+  write_mesh(file("a"), mesh, GetParam());
+  expect_same_corners(read_mesh(file("a")), mesh);
+}
+
+TEST_P(MeshFile, ReadsBackEveryFloat) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const TriangleMesh mesh = any_floats(seed);
+    write_mesh(file("a"), mesh, GetParam());
+    expect_same_corners(read_mesh(file("a")), mesh);
+  }
+}
+
+TEST_P(MeshFile, KeepsCollapsedTrianglesAndTheirOrder) {
+  TriangleMesh mesh = tetrahedron();
+  mesh.triangles.insert(mesh.triangles.begin() + 1, {1, 1, 2});
+  mesh.triangles.push_back({3, 3, 3});
+  write_mesh(file("a"), mesh, GetParam());
+  expect_same_corners(read_mesh(file("a")), mesh);
+}
+
+TEST_P(MeshFile, BytesDependOnTheMeshAlone) {
+  write_mesh(file("first"), torus(40, 12), GetParam());
+  write_mesh(file("second name"), torus(40, 12), GetParam());
+  EXPECT_EQ(bytes_of(file("first")), bytes_of(file("second name")));
+  EXPECT_EQ(folder_.names().size(), 2U);  // and no third file
+}
+
+TEST_P(MeshFile, AssimpReadsTheSameTriangles) {
+  const TriangleMesh mesh = torus(40, 12);
+  write_mesh(file("a"), mesh, GetParam());
+  const TriangleMesh read = read_by_assimp(file("a"));
+  ASSERT_EQ(read.triangles.size(), mesh.triangles.size());
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        // assimp's own text reader is off by the last bit now and then.
+        EXPECT_NEAR(read.vertices[read.triangles[i][corner]][axis],
+                    mesh.vertices[mesh.triangles[i][corner]][axis], 2e-6);
+      }
+    }
+  }
+}
+
+TEST_P(MeshFile, ReadsWhatAssimpWrites) {
+  const TriangleMesh mesh = torus(40, 12);
+  const auto scene = assimp_scene(mesh, {0, 0, 0});
+  Assimp::Exporter exporter;
+  const std::string kind = GetParam() == MeshFormat::stl ? "stlb" : "objnomtl";
+  ASSERT_EQ(exporter.Export(scene.get(), kind, file("a").string()), aiReturn_SUCCESS);
+  expect_same_corners(read_mesh(file("a")), mesh);
+}
+
+TEST_P(MeshFile, AFailureLeavesTheOldFile) {
+  put_bytes(file("a"), "old");
+  TriangleMesh mesh = tetrahedron();
+  mesh.triangles.push_back({0, 1, 4});
+  EXPECT_THROW(write_mesh(file("a"), mesh, GetParam()), std::invalid_argument);
+  EXPECT_THROW(write_mesh(file("a"), TriangleMesh{}, GetParam()), std::invalid_argument);
+  EXPECT_EQ(bytes_of(file("a")), "old");
+  EXPECT_THROW(write_mesh(file("missing/a"), tetrahedron(), GetParam()), FileError);
+}
+
+TEST(StlFile, IsBinaryWithRightNormals) {
+  const TestFolder folder;
+  const TriangleMesh mesh = torus(40, 12);
+  write_mesh(folder / "a.stl", mesh, MeshFormat::stl);
+  const std::string bytes = bytes_of(folder / "a.stl");
+  ASSERT_EQ(bytes.size(), 84 + 50 * mesh.triangles.size());
+  EXPECT_NE(bytes.substr(0, 5), "solid");
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    std::array<float, 12> facet;
+    std::memcpy(facet.data(), bytes.data() + 84 + 50 * i, sizeof facet);
+    const auto edge = [&](std::size_t to, std::size_t axis) {
+      return double{facet[3 * to + axis]} - double{facet[3 + axis]};
+    };
+    double length = 0;
+    double along_first = 0;
+    double along_second = 0;
+    double outward = 0;  // from the circle in the middle of the torus's body
+    const double ring = std::hypot(facet[3], facet[4]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      length += facet[axis] * facet[axis];
+      along_first += facet[axis] * edge(2, axis);
+      along_second += facet[axis] * edge(3, axis);
+      const double middle = axis == 2 ? 0 : 17 / ring * facet[3 + axis];
+      outward += facet[axis] * (facet[3 + axis] - middle);
+    }
+    EXPECT_NEAR(length, 1, 1e-6);
+    EXPECT_NEAR(along_first, 0, 3e-7);
+    EXPECT_NEAR(along_second, 0, 3e-7);
+    EXPECT_GT(outward, 0.8);
+  }
+}
+
+TEST(StlFile, AFacetWithoutAreaHasNoNormal) {
+  const TestFolder folder;
+  write_mesh(folder / "a.stl", {{{0, 0, 0}, {1, 1, 1}}, {{0, 1, 1}}}, MeshFormat::stl);
+  EXPECT_EQ(bytes_of(folder / "a.stl").substr(84, 12), std::string(12, '\0'));
+}
+
+TEST(StlFile, WeldsBackToTheSharedVertices) {
+  const TestFolder folder;
+  const TriangleMesh mesh = torus(40, 12);
+  write_mesh(folder / "a.stl", mesh, MeshFormat::stl);
+  const TriangleMesh read = read_mesh(folder / "a.stl");
+  EXPECT_EQ(read.vertices.size(), 3 * mesh.triangles.size());
+  EXPECT_EQ(weld(read).vertices.size(), mesh.vertices.size());
+}
+
+TEST(StlFile, ReadsABinaryFileThatBeginsWithSolid) {
+  const TestFolder folder;
+  write_mesh(folder / "a.stl", tetrahedron(), MeshFormat::stl);
+  std::string bytes = bytes_of(folder / "a.stl");
+  bytes.replace(0, 5, "solid");
+  put_bytes(folder / "a.STL", bytes);
+  expect_same_corners(read_mesh(folder / "a.STL"), tetrahedron());
+}
+
+TEST(StlFile, ReadsTextWithSeveralSolids) {
+  const TestFolder folder;
+  const std::string facet =
+      "facet normal 0 0 1\r\n outer loop\r\n  vertex 0 0 0.5\n  vertex 1.25 0 0.5\n"
+      "  vertex 0 1e1 0.5\n endloop\nendfacet\n";
+  put_bytes(folder / "a.stl",
+            "solid one\n" + facet + facet + "endsolid one\nsolid two\n" + facet + "endsolid two\n");
+  const TriangleMesh mesh = read_mesh(folder / "a.stl");
+  EXPECT_EQ(mesh.triangles.size(), 3U);
+  const TriangleMesh welded = weld(mesh);
+  EXPECT_EQ(welded.vertices, (std::vector<Point>{{0, 0, 0.5}, {1.25, 0, 0.5}, {0, 10, 0.5}}));
+}
+
+TEST(ObjFile, IsPlainText) {
+  const TestFolder folder;
+  write_mesh(folder / "a.obj", tetrahedron(), MeshFormat::obj);
+  EXPECT_EQ(
+      bytes_of(folder / "a.obj"),
+      "# unit mm\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  EXPECT_EQ(read_mesh(folder / "a.obj").triangles, tetrahedron().triangles);
+  EXPECT_EQ(read_mesh(folder / "a.obj").vertices.size(), 4U);
+}
+
+TEST(ObjFile, ReadsWhatOtherProgramsWrite) {
+  const TestFolder folder;
+  put_bytes(folder / "a.obj",
+            "# a square, then a triangle\r\nmtllib no.mtl\r\no part\r\nv 0 0 0 1.0\r\n"
+            "v +1 0 0 0.5 0.5 0.5\r\nv 1 1 0 # third\r\n\tv 0 1e0 0\r\nvt 0 0\nvn 0 0 1\n"
+            "usemtl red\ns off\nf 1/1/1 2/1/1 \\\n 3//1 4\nv 0.5 0.5 -1E-2\nf -1 -5 2 # last");
+  const TriangleMesh mesh = read_mesh(folder / "a.obj");
+  EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {4, 0, 1}}));
+  ASSERT_EQ(mesh.vertices.size(), 5U);
+  EXPECT_EQ(mesh.vertices[1], (Point{1, 0, 0}));
+  EXPECT_EQ(mesh.vertices[4], (Point{0.5, 0.5, -0.01F}));
+}
+
+TEST(OtherFormats, ReadsPlyWithPolygons) {
+  const TestFolder folder;
+  put_bytes(folder / "a.ply",
+            "ply\nformat ascii 1.0\ncomment made by hand\nelement vertex 5\nproperty float x\n"
+            "property float y\nproperty float z\nelement face 2\n"
+            "property list uchar int vertex_indices\nend_header\n"
+            "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0.5 0.5 2\n4 0 1 2 3\n3 0 1 4\n");
+  const TriangleMesh expected{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 2}},
+                              {{0, 1, 2}, {0, 2, 3}, {0, 1, 4}}};
+  expect_same_corners(read_mesh(folder / "a.ply"), expected);
+}
+
+TEST(OtherFormats, AppliesTheNodesOfGlb) {
+  const TestFolder folder;
+  const auto scene = assimp_scene(torus(20, 8), {10, 20, 30});
+  Assimp::Exporter exporter;
+  ASSERT_EQ(exporter.Export(scene.get(), "glb2", (folder / "a.glb").string()), aiReturn_SUCCESS);
+  TriangleMesh moved = torus(20, 8);
+  for (Point& p : moved.vertices) {
+    // As assimp does it: rounded before and after the shift.
+    p = {static_cast<float>(p[0]) + 10.0F, static_cast<float>(p[1]) + 20.0F,
+         static_cast<float>(p[2]) + 30.0F};
+  }
+  expect_same_corners(read_mesh(folder / "a.glb"), moved);
+}
+
+TEST(OtherFormats, Reads3mf) {
+  const TestFolder folder;
+  const auto scene = assimp_scene(tetrahedron(), {0, 0, 0});
+  Assimp::Exporter exporter;
+  ASSERT_EQ(exporter.Export(scene.get(), "3mf", (folder / "a.3mf").string()), aiReturn_SUCCESS);
+  expect_same_corners(read_mesh(folder / "a.3mf"), tetrahedron());
+}
+
+TEST(OtherFormats, CannotBeWrittenYet) {
+  const TestFolder folder;
+  for (const MeshFormat format : {MeshFormat::three_mf, MeshFormat::ply, MeshFormat::glb}) {
+    EXPECT_FALSE(can_write(format));
+    try {
+      write_mesh(folder / "a", tetrahedron(), format);
+      ADD_FAILURE() << "wrote " << extension(format);
+    } catch (const UnsupportedFormat& error) {
+      EXPECT_EQ(error.format, format);
+      EXPECT_NE(std::string(error.what()).find(extension(format)), std::string::npos);
+    }
+  }
+  EXPECT_TRUE(folder.names().empty());
+}
+
+}  // namespace
+}  // namespace latticast
