@@ -18,9 +18,10 @@ ExitStatus run_audit(const std::vector<std::filesystem::path>& files, const Cons
     try {
       const Audit result = audit(weld(read_mesh(file)));
       all_pass = all_pass && result.passes();
-      console.data(result.passes() ? fmt::format("pass {}: {}\n", file.string(), audit_summary(result))
-                                   : fmt::format("FAIL {}: {} triangles\n{}", file.string(),
-                                                 result.triangles, audit_findings(result)));
+      console.data(result.passes()
+                       ? fmt::format("pass {}: {}\n", file.string(), audit_summary(result))
+                       : fmt::format("FAIL {}: {} triangles\n{}", file.string(), result.triangles,
+                                     audit_findings(result)));
     } catch (const FileError& fault) {
       all_read = false;
       console.error(fault.what());

@@ -7,7 +7,8 @@ namespace latticast {
 
 std::string audit_summary(const Audit& audit) {
   return fmt::format("closed, {} piece{}, genus {}, {:.6g} mm3, {} triangles", audit.components,
-                     audit.components == 1 ? "" : "s", audit.genus, audit.volume_mm3, audit.triangles);
+                     audit.components == 1 ? "" : "s", audit.genus, audit.volume_mm3,
+                     audit.triangles);
 }
 
 std::string audit_findings(const Audit& audit) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/build_command.h"
 
-#include <fmt/core.h>
-
 #include <cmath>
 #include <stdexcept>
+
+#include <fmt/core.h>
 
 #include "app/audit_output.h"
 #include "app/design_input.h"
@@ -91,8 +91,8 @@ class Builder {
   void preview_part(std::size_t s, bool is_liner, const Solid& rest,
                     const std::vector<PressureShape>& shapes, std::vector<PicturePart>& picture) {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-      const std::string part = fmt::format("preview-{:g}kPa-{}", shapes[i].pressure_kpa,
-                                           is_liner ? "liner" : "lattice");
+      const std::string part =
+          fmt::format("preview-{:g}kPa-{}", shapes[i].pressure_kpa, is_liner ? "liner" : "lattice");
       begin(part_name(s, part));
       Solid moved{moved_mesh(rest.mesh, shapes[i].shape, s), 0, 0, rest.pieces, rest.genus};
       deliver(part_name(s, part), moved);
@@ -126,8 +126,8 @@ class Builder {
 
   static void prove(const std::string& file, const Solid& solid, const Audit& result) {
     if (!result.passes()) {
-      throw AuditFailed(fmt::format("{} fails its audit and was not written:\n{}", file,
-                                    audit_findings(result)));
+      throw AuditFailed(
+          fmt::format("{} fails its audit and was not written:\n{}", file, audit_findings(result)));
     }
     if (result.components != solid.pieces || result.genus != solid.genus) {
       throw AuditFailed(fmt::format(

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console.h"
 
-#include <fmt/core.h>
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstdlib>
+
+#include <fmt/core.h>
+#include <unistd.h>
 
 namespace latticast {
 namespace {
@@ -18,10 +18,15 @@ bool colour_wanted() {
 
 }  // namespace
 
-Console::Console(bool quiet)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0), colour_(terminal_ && colour_wanted()) {}
+Console::Console(bool quiet, std::FILE* output)
+    : quiet_(quiet),
+      output_(output),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      colour_(terminal_ && colour_wanted()) {}
 
-void Console::data(std::string_view text) const { std::fwrite(text.data(), 1, text.size(), stdout); }
+void Console::data(std::string_view text) const {
+  std::fwrite(text.data(), 1, text.size(), output_);
+}
 
 void Console::note(std::string_view line) const {
   if (quiet_) return;

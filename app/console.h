@@ -2,15 +2,16 @@
 // Data goes to standard output; progress and messages go to standard error.
 #pragma once
 
+#include <cstdio>
 #include <string_view>
 
 namespace latticast {
 
 class Console {
  public:
-  explicit Console(bool quiet = false);
+  explicit Console(bool quiet = false, std::FILE* output = stdout);
 
-  /// A result, to standard output, as it is.
+  /// A result, to the output, as it is.
   void data(std::string_view text) const;
 
   /// A message for people, one line; not shown when quiet.
@@ -27,6 +28,7 @@ class Console {
 
  private:
   bool quiet_;
+  std::FILE* output_;
   bool terminal_;
   bool colour_;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/design_input.h"
 
-#include <fmt/core.h>
-
 #include <vector>
+
+#include <fmt/core.h>
 
 #include "spec/issue.h"
 #include "spec/read_design.h"
@@ -30,8 +30,8 @@ std::optional<MaterialLibrary> load_materials(const std::optional<std::filesyste
   return std::nullopt;
 }
 
-std::optional<Design> load_design(const std::filesystem::path& file, const MaterialLibrary& materials,
-                                  const Console& console) {
+std::optional<Design> load_design(const std::filesystem::path& file,
+                                  const MaterialLibrary& materials, const Console& console) {
   ReadResult result = read_design_file(file, materials);
   if (result.ok()) return std::move(result.design);
   report(result.issues, file, console);

@@ -16,7 +16,7 @@ std::optional<MaterialLibrary> load_materials(const std::optional<std::filesyste
                                               const Console& console);
 
 /// The design in a file; empty after reporting every problem of it. Throws FileError.
-std::optional<Design> load_design(const std::filesystem::path& file, const MaterialLibrary& materials,
-                                  const Console& console);
+std::optional<Design> load_design(const std::filesystem::path& file,
+                                  const MaterialLibrary& materials, const Console& console);
 
 }  // namespace latticast

@@ -10,7 +10,8 @@ struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted; nothing was changed"; }
 };
 
-/// From here on, SIGINT and SIGTERM ask the program to stop at the next stage; a second one ends it.
+/// From here on, SIGINT and SIGTERM ask the program to stop at the next stage; a second one ends
+/// it.
 void watch_for_interrupt();
 
 /// Throws Interrupted when a signal has come.

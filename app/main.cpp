@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command line: what is typed, which command runs, and what the exit status says.
-#include <CLI/CLI.hpp>
-
-#include <fmt/core.h>
-
+#include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
 
 #include "app/console.h"
 #include "app/exit_status.h"
 #include "app/materials_command.h"
 #include "spec/file_error.h"
+#include "spec/nearest_name.h"
 #include "spec/unsupported_design.h"
 #if LATTICAST_HAS_PREDICT
 #include "app/predict_command.h"
@@ -63,7 +66,8 @@ void describe_predict(CLI::App& app, CommandLine& typed) {
                       "kPa: one, a list (10,20,30) or FROM:TO:STEP; otherwise the design's [load]");
   predict->add_option("--format", typed.format, "table, csv or json")
       ->check(CLI::IsMember({"table", "csv", "json"}));
-  predict->add_option("--hold", typed.hold, "coordinates held by the mounting; prints their reaction")
+  predict
+      ->add_option("--hold", typed.hold, "coordinates held by the mounting; prints their reaction")
       ->delimiter(',')
       ->check(CLI::IsMember({"twist", "bend", "stretch"}));
 }
@@ -84,8 +88,10 @@ void describe_commands(CLI::App& app, CommandLine& typed) {
 
 [[maybe_unused]] ExitStatus left_out(const Console& console, std::string_view command,
                                      std::string_view option, std::string_view packages) {
-  console.error(fmt::format("this program was built without '{}': configure with -D{}=ON (needs {}) and "
-                            "build again", command, option, packages));
+  console.error(
+      fmt::format("this program was built without '{}': configure with -D{}=ON (needs {}) and "
+                  "build again",
+                  command, option, packages));
   return ExitStatus::invalid;
 }
 
@@ -95,8 +101,8 @@ ExitStatus run_command(const CLI::App& app, const CommandLine& typed, const Cons
   }
   if (app.got_subcommand("predict")) {
 #if LATTICAST_HAS_PREDICT
-    return run_predict({typed.design, materials_path(typed), typed.pressure, typed.format, typed.hold},
-                       console);
+    return run_predict(
+        {typed.design, materials_path(typed), typed.pressure, typed.format, typed.hold}, console);
 #else
     return left_out(console, "predict", "LATTICAST_PREDICT", "SUNDIALS");
 #endif
@@ -142,7 +148,24 @@ ExitStatus run_guarded(const CLI::App& app, const CommandLine& typed, const Cons
   }
 }
 
+// CLI11 only says that a command is missing; a mistyped one deserves the nearest name.
+std::optional<std::string> mistyped_command(int argc, char** argv) {
+  const std::vector<std::string> known{"build", "predict", "audit", "materials"};
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--materials") ++i;
+    if (word.starts_with("-")) continue;
+    if (std::find(known.begin(), known.end(), word) != known.end()) return std::nullopt;
+    return fmt::format("no command '{}': {}", word, name_hint(word, known, "commands"));
+  }
+  return std::nullopt;
+}
+
 int run_main(int argc, char** argv) {
+  if (const auto problem = mistyped_command(argc, argv)) {
+    Console().error(*problem);
+    return static_cast<int>(ExitStatus::invalid);
+  }
   CLI::App app{"Predicts and makes lattice-reinforced pneumatic soft actuators", "latticast"};
   CommandLine typed;
   describe_commands(app, typed);
@@ -158,4 +181,6 @@ int run_main(int argc, char** argv) {
 }  // namespace
 }  // namespace latticast
 
-int main(int argc, char** argv) { return latticast::run_main(argc, argv); }
+int main(int argc, char** argv) {
+  return latticast::run_main(argc, argv);
+}

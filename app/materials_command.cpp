@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/materials_command.h"
 
-#include <fmt/core.h>
-
 #include <vector>
+
+#include <fmt/core.h>
 
 #include "app/design_input.h"
 #include "spec/nearest_name.h"
@@ -30,7 +30,8 @@ std::string law_text(const Law& law) {
 }
 
 std::string entry_text(const Material& material) {
-  std::string text = fmt::format("{}\n  law                  {}\n", material.name, law_text(material.law));
+  std::string text =
+      fmt::format("{}\n  law                  {}\n", material.name, law_text(material.law));
   const auto add = [&](std::string_view label, const std::optional<double>& value, double factor,
                        std::string_view unit) {
     if (value) text += fmt::format("  {:<20} {:g} {}\n", label, *value * factor, unit);
@@ -40,7 +41,8 @@ std::string entry_text(const Material& material) {
   add("density", material.density_g_per_cm3, 1, "g/cm3");
   if (material.modulus_low_factor || material.modulus_high_factor) {
     text += fmt::format("  {:<20} {:g} to {:g} times the stated modulus\n", "modulus band",
-                        material.modulus_low_factor.value_or(1), material.modulus_high_factor.value_or(1));
+                        material.modulus_low_factor.value_or(1),
+                        material.modulus_high_factor.value_or(1));
   }
   text += fmt::format("  {:<20} {}\n", "source", material.source);
   if (!material.note.empty()) text += fmt::format("  {:<20} {}\n", "note", material.note);

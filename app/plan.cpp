@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/plan.h"
 
-#include <fmt/core.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 namespace latticast {
 namespace {
@@ -25,13 +25,20 @@ constexpr std::array<Part, 6> parts{{{Stage::lattice, "lattice"},
 
 bool asked(const Make& make, Stage part) {
   switch (part) {
-    case Stage::lattice: return make.lattice;
-    case Stage::liner: return make.liner;
-    case Stage::preview: return make.preview.has_value();
-    case Stage::lattice_mold: return make.lattice_mold.has_value();
-    case Stage::liner_mold: return make.liner_mold.has_value();
-    case Stage::report: return make.report;
-    default: return false;
+    case Stage::lattice:
+      return make.lattice;
+    case Stage::liner:
+      return make.liner;
+    case Stage::preview:
+      return make.preview.has_value();
+    case Stage::lattice_mold:
+      return make.lattice_mold.has_value();
+    case Stage::liner_mold:
+      return make.liner_mold.has_value();
+    case Stage::report:
+      return make.report;
+    default:
+      return false;
   }
 }
 
@@ -40,9 +47,11 @@ std::vector<Stage> parts_named(const std::string& word) {
   for (const Part& part : parts) {
     if (name(part.stage) == word || part.key == word) return {part.stage};
   }
-  throw std::invalid_argument(fmt::format(
-      "--only {}: no such part; parts are lattice, liner, preview, lattice-mold, liner-mold, molds, "
-      "report", word));
+  throw std::invalid_argument(
+      fmt::format("--only {}: no such part; parts are lattice, liner, preview, lattice-mold, "
+                  "liner-mold, molds, "
+                  "report",
+                  word));
 }
 
 std::vector<Stage> chosen_parts(const Make& make, const std::vector<std::string>& only) {
@@ -107,8 +116,10 @@ void plan_prediction(const Design& design, Plan& plan) {
   const bool needed = plan.runs(Stage::preview);
   const auto add = [&](Stage stage, bool wanted, std::string_view why, std::string_view why_not) {
     const bool runs = needed && wanted;
-    plan.stages.push_back(
-        {stage, runs, std::string(runs ? why : needed ? why_not : "nothing that is made needs a deformed shape")});
+    plan.stages.push_back({stage, runs,
+                           std::string(runs     ? why
+                                       : needed ? why_not
+                                                : "nothing that is made needs a deformed shape")});
   };
   add(Stage::prediction, true, "the preview shows the shape under pressure", "");
   add(Stage::horseshoe_law, has_horseshoe(design), "a strand is a horseshoe",
@@ -121,22 +132,32 @@ void plan_prediction(const Design& design, Plan& plan) {
 
 std::string_view name(Stage stage) {
   switch (stage) {
-    case Stage::prediction: return "prediction";
-    case Stage::horseshoe_law: return "horseshoe-law";
-    case Stage::bending: return "bending";
-    case Stage::lattice: return "lattice";
-    case Stage::liner: return "liner";
-    case Stage::preview: return "preview";
-    case Stage::lattice_mold: return "lattice-mold";
-    case Stage::liner_mold: return "liner-mold";
-    case Stage::report: return "report";
+    case Stage::prediction:
+      return "prediction";
+    case Stage::horseshoe_law:
+      return "horseshoe-law";
+    case Stage::bending:
+      return "bending";
+    case Stage::lattice:
+      return "lattice";
+    case Stage::liner:
+      return "liner";
+    case Stage::preview:
+      return "preview";
+    case Stage::lattice_mold:
+      return "lattice-mold";
+    case Stage::liner_mold:
+      return "liner-mold";
+    case Stage::report:
+      return "report";
   }
   return "";
 }
 
 bool Plan::runs(Stage stage) const {
-  return std::any_of(stages.begin(), stages.end(),
-                     [&](const PlannedStage& planned) { return planned.stage == stage && planned.runs; });
+  return std::any_of(stages.begin(), stages.end(), [&](const PlannedStage& planned) {
+    return planned.stage == stage && planned.runs;
+  });
 }
 
 Plan plan_build(const Design& design, const std::vector<std::string>& only) {
@@ -155,31 +176,38 @@ std::vector<std::string> unavailable(const Plan& plan, const Design& design) {
   std::vector<std::string> missing;
   for (const Stage stage : {Stage::lattice_mold, Stage::liner_mold, Stage::report}) {
     if (!plan.runs(stage)) continue;
-    missing.push_back(fmt::format(
-        "[make] asks for the {0}, which this version cannot make yet: take it out of [make], or name "
-        "the other parts with --only", name(stage)));
+    missing.push_back(
+        fmt::format("[make] asks for the {0}, which this version cannot make yet: take it out of "
+                    "[make], or name "
+                    "the other parts with --only",
+                    name(stage)));
   }
   if (plan.runs(Stage::preview) && plan.runs(Stage::horseshoe_law)) {
-    missing.emplace_back("the design has horseshoe strands, which this version can neither predict nor "
-                         "draw yet: leave 'horseshoe' out of the grid to make its strands straight");
+    missing.emplace_back(
+        "the design has horseshoe strands, which this version can neither predict nor "
+        "draw yet: leave 'horseshoe' out of the grid to make its strands straight");
   } else if (has_horseshoe(design)) {
-    missing.emplace_back("the design has horseshoe strands, which this version cannot draw yet: leave "
-                         "'horseshoe' out of the grid to make its strands straight");
+    missing.emplace_back(
+        "the design has horseshoe strands, which this version cannot draw yet: leave "
+        "'horseshoe' out of the grid to make its strands straight");
   }
   if (plan.runs(Stage::bending)) {
-    missing.emplace_back("strand widths differ around the tube, so it bends, which this version cannot "
-                         "predict yet: give a family one width, or leave the preview out with --only");
+    missing.emplace_back(
+        "strand widths differ around the tube, so it bends, which this version cannot "
+        "predict yet: give a family one width, or leave the preview out with --only");
   }
   for (const MeshFormat format : design.output.formats) {
     if (format == MeshFormat::stl || format == MeshFormat::obj) continue;
-    missing.emplace_back("[export] formats: this version writes stl and obj; 3mf, ply and glb cannot be "
-                         "written yet: take them out of the list");
+    missing.emplace_back(
+        "[export] formats: this version writes stl and obj; 3mf, ply and glb cannot be "
+        "written yet: take them out of the list");
     break;
   }
 #if !LATTICAST_HAS_PREDICT
   if (plan.runs(Stage::prediction)) {
-    missing.emplace_back("this program was built without the prediction that a preview needs: build it "
-                         "with -DLATTICAST_PREDICT=ON, or leave the preview out with --only");
+    missing.emplace_back(
+        "this program was built without the prediction that a preview needs: build it "
+        "with -DLATTICAST_PREDICT=ON, or leave the preview out with --only");
   }
 #endif
   return missing;

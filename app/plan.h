@@ -37,9 +37,9 @@ struct Plan {
   bool runs(Stage stage) const;
 };
 
-/// The stages that `latticast build` runs for a design. `only` narrows [make] down to the parts named
-/// (as in name(); "molds" means both molds); empty means all of [make].
-/// Throws std::invalid_argument for a name that is no part, or that [make] does not ask for.
+/// The stages that `latticast build` runs for a design. `only` narrows [make] down to the parts
+/// named (as in name(); "molds" means both molds); empty means all of [make]. Throws
+/// std::invalid_argument for a name that is no part, or that [make] does not ask for.
 Plan plan_build(const Design& design, const std::vector<std::string>& only);
 
 /// What the plan runs that this program cannot do, one sentence each with its remedy; empty when it

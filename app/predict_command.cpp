@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/predict_command.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
+
+#include <fmt/core.h>
 
 #include "app/design_input.h"
 #include "app/prediction.h"
@@ -13,8 +13,8 @@
 namespace latticast {
 namespace {
 
-// Holding a bend needs nothing here: the sections that are predicted are symmetric about their axis,
-// so their bending angle and blocked moment are zero.
+// Holding a bend needs nothing here: the sections that are predicted are symmetric about their
+// axis, so their bending angle and blocked moment are zero.
 Held held_coordinates(const std::vector<std::string>& names) {
   Held held;
   for (const std::string& name : names) {
@@ -35,11 +35,13 @@ void add_messages(const Prediction& prediction, const Console& console) {
 
 // MODEL.md section 9 measured how far this kind of model is from a three-dimensional calculation.
 void note_known_bias(const Design& design, const Console& console) {
-  const bool reinforced = std::any_of(design.segments.begin(), design.segments.end(),
-                                      [](const Segment& segment) { return segment.lattice.has_value(); });
+  const bool reinforced =
+      std::any_of(design.segments.begin(), design.segments.end(),
+                  [](const Segment& segment) { return segment.lattice.has_value(); });
   if (!reinforced) return;
-  console.note("known bias: against a 3-D finite-element cell (36 degrees, 8 strips), stretch - 1 comes "
-               "out 18-28 % and twist 7-20 % too high with joint = \"clear-span\" (docs/model.md)");
+  console.note(
+      "known bias: against a 3-D finite-element cell (36 degrees, 8 strips), stretch - 1 comes "
+      "out 18-28 % and twist 7-20 % too high with joint = \"clear-span\" (docs/model.md)");
 }
 
 }  // namespace

@@ -52,13 +52,15 @@ bool Prediction::complete() const {
 Prediction predict_design(const Design& design, const std::vector<double>& pressures_kpa, Held held,
                           bool with_bands) {
   if (pressures_kpa.empty() && design.load.empty()) {
-    throw std::invalid_argument("no pressure to predict for: give --pressure FROM:TO:STEP, or add "
-                                "[load] pressure = { from = 0, to = 40, step = 5 } to the design");
+    throw std::invalid_argument(
+        "no pressure to predict for: give --pressure FROM:TO:STEP, or add "
+        "[load] pressure = { from = 0, to = 40, step = 5 } to the design");
   }
   Prediction prediction;
   for (std::size_t i = 0; i < design.segments.size(); ++i) {
     const Segment& segment = design.segments[i];
-    const std::vector<double> pressures = pressures_kpa.empty() ? load_of(design, i) : pressures_kpa;
+    const std::vector<double> pressures =
+        pressures_kpa.empty() ? load_of(design, i) : pressures_kpa;
     SegmentPrediction result{pressures, predict(segment, design.model, pressures, held), {}, {}};
     if (with_bands) {
       const Material& liner = segment.liner.material;

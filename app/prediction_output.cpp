@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/prediction_output.h"
 
-#include <fmt/core.h>
-
-#include <nlohmann/json.hpp>
 #include <numbers>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
 
 namespace latticast {
 namespace {
@@ -17,7 +17,8 @@ double twist_deg(const State& state, const Segment& segment) {
 
 // "1.30 .. 1.62": the same number at the two ends of the modulus band.
 template <class Number>
-std::string band(const SegmentPrediction& result, std::size_t i, const char* format, Number number) {
+std::string band(const SegmentPrediction& result, std::size_t i, const char* format,
+                 Number number) {
   const auto end = [&](const std::optional<Response>& response) -> std::string {
     const Response& used = response ? *response : result.response;
     return used.states[i] ? fmt::format(fmt::runtime(format), number(*used.states[i])) : "none";
@@ -39,7 +40,8 @@ std::string table_row(const SegmentPrediction& result, std::size_t i, const Segm
   if (held.stretch) row += fmt::format(" {:9.4f}", state->force_n);
   row += fmt::format("  {:<7} {:8.1e}", state->stable ? "yes" : "no", state->error_estimate);
   if (result.softest || result.stiffest) {
-    row += fmt::format("  {:<18} {}", band(result, i, "{:.3f}", stretch), band(result, i, "{:.1f}", turn));
+    row += fmt::format("  {:<18} {}", band(result, i, "{:.3f}", stretch),
+                       band(result, i, "{:.1f}", turn));
   }
   return row + "\n";
 }
@@ -73,9 +75,12 @@ nlohmann::ordered_json states_to_json(const Response& response, const Segment& s
 
 const char* name(Status status) {
   switch (status) {
-    case Status::ok: return "ok";
-    case Status::no_equilibrium: return "no_equilibrium";
-    case Status::not_converged: return "not_converged";
+    case Status::ok:
+      return "ok";
+    case Status::no_equilibrium:
+      return "no_equilibrium";
+    case Status::not_converged:
+      return "not_converged";
   }
   return "";
 }
@@ -131,11 +136,12 @@ std::string prediction_csv(const Design& design, const Prediction& prediction, H
   for (std::size_t s = 0; s < prediction.segments.size(); ++s) {
     for (const std::optional<State>& state : prediction.segments[s].response.states) {
       if (!state) continue;
-      text += fmt::format("{},{},{},{},{},0,0,{},{},{},0,{},{},{},{:.1f}", s + 1, state->pressure_kpa,
-                          state->stretch, twist_deg(*state, design.segments[s]),
-                          state->twist_rad_per_mm / state->stretch, state->inner_radius_mm,
-                          state->outer_radius_mm, state->torque_nmm, state->stable ? 1 : 0,
-                          state->residual, state->error_estimate, state->time_us);
+      text +=
+          fmt::format("{},{},{},{},{},0,0,{},{},{},0,{},{},{},{:.1f}", s + 1, state->pressure_kpa,
+                      state->stretch, twist_deg(*state, design.segments[s]),
+                      state->twist_rad_per_mm / state->stretch, state->inner_radius_mm,
+                      state->outer_radius_mm, state->torque_nmm, state->stable ? 1 : 0,
+                      state->residual, state->error_estimate, state->time_us);
       text += held.stretch ? fmt::format(",{}\n", state->force_n) : "\n";
     }
   }

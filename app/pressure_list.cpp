@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/pressure_list.h"
 
-#include <fmt/core.h>
-
 #include <charconv>
 #include <stdexcept>
+
+#include <fmt/core.h>
 
 #include "spec/limits.h"
 #include "spec/pressure_sweep.h"
@@ -15,9 +15,10 @@ namespace {
 constexpr double most_pressures = 100'000;
 
 [[noreturn]] void refuse(std::string_view text, std::string_view rule) {
-  throw std::invalid_argument(fmt::format(
-      "--pressure {}: {}; write one pressure in kPa (30), a list (10,20,30) or FROM:TO:STEP (0:60:5)",
-      text, rule));
+  throw std::invalid_argument(
+      fmt::format("--pressure {}: {}; write one pressure in kPa (30), a list (10,20,30) or "
+                  "FROM:TO:STEP (0:60:5)",
+                  text, rule));
 }
 
 double parse_one(std::string_view part, std::string_view text) {

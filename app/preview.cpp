@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/preview.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
+
+#include <fmt/core.h>
 
 namespace latticast {
 namespace {
@@ -14,8 +14,8 @@ constexpr Colour liner_colour{0.93, 0.86, 0.76};
 
 State state_at(const Response& response, std::size_t i, std::size_t segment, double pressure) {
   if (response.states[i]) return *response.states[i];
-  throw NoEquilibrium(fmt::format("preview at {:g} kPa, segment {}: {}", pressure, segment + 1,
-                                  response.message));
+  throw NoEquilibrium(
+      fmt::format("preview at {:g} kPa, segment {}: {}", pressure, segment + 1, response.message));
 }
 
 double widest(const std::vector<PicturePart>& parts) {
@@ -67,8 +67,10 @@ Image preview_picture(const std::vector<PicturePart>& parts) {
   const double spacing = 2.7 * widest(parts);
   std::vector<PictureObject> objects;
   for (const PicturePart& part : parts) {
-    objects.push_back({part.mesh, part.is_liner ? liner_colour : lattice_colour,
-                       {0, spacing * static_cast<double>(part.place), 0}, 1});
+    objects.push_back({part.mesh,
+                       part.is_liner ? liner_colour : lattice_colour,
+                       {0, spacing * static_cast<double>(part.place), 0},
+                       1});
   }
   const Camera camera{{-1, 0, -0.22}, {0, 0, 1}, 12};
   return draw_picture(objects, camera);

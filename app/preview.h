@@ -12,7 +12,8 @@
 
 namespace latticast {
 
-/// A preview asks for a pressure at which there is no equilibrium; what() names it and the limit point.
+/// A preview asks for a pressure at which there is no equilibrium; what() names it and the limit
+/// point.
 struct NoEquilibrium : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/staging_folder.h"
 
-#include <unistd.h>
-
 #include <system_error>
+
+#include <unistd.h>
 
 #include "spec/file_error.h"
 

@@ -7,8 +7,8 @@
 
 namespace latticast {
 
-/// Where a build's files wait, inside the folder they are meant for, until all of them are written and
-/// audited. Destroying it without commit() leaves the folder as it was.
+/// Where a build's files wait, inside the folder they are meant for, until all of them are written
+/// and audited. Destroying it without commit() leaves the folder as it was.
 class StagingFolder {
  public:
   /// Makes `folder` if it is missing. Throws FileError.

@@ -2,6 +2,7 @@
 # What every target of this project shares: language level, warnings, include root.
 
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
 find_program(CCACHE ccache)
 if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
@@ -11,6 +12,10 @@ add_library(latticast_settings INTERFACE)
 target_compile_features(latticast_settings INTERFACE cxx_std_20)
 target_include_directories(latticast_settings INTERFACE "${CMAKE_SOURCE_DIR}")
 target_compile_options(latticast_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
+# g++ 12.2 drops the rounding of neighbouring double -> float -> double conversions when it vectorizes
+# straight-line code; mesh files and their audit depend on that rounding.
+target_compile_options(latticast_settings INTERFACE
+                       $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
 if(LATTICAST_WARNINGS_AS_ERRORS)
   target_compile_options(latticast_settings INTERFACE -Werror)
 endif()

@@ -25,26 +25,29 @@ std::string_view extension(MeshFormat format);
 /// Whether write_mesh can write the format: stl and obj can be written so far.
 bool can_write(MeshFormat format);
 
-/// Writes a mesh, coordinates rounded to float32, triangles in order.
-///   stl: binary, little-endian, with unit facet normals (zero for a facet without area); a fixed
-///   header. obj: vertices as they are shared in `mesh`, each coordinate with the fewest digits
-///   that give the same
-///        float32, so that it reads back exactly; faces by vertex index; no materials, no second
-///        file.
-/// The bytes depend on the mesh alone: no dates, names or paths. The file appears whole or not at
-/// all (TemporaryFile). Coordinates that are not finite are written as they are. Throws
-/// UnsupportedFormat, FileError, and std::invalid_argument for a mesh without triangles or with an
-/// index past its vertices.
+/// Writes a mesh, coordinates rounded to float32, triangles in order. The bytes depend on the mesh
+/// alone: no dates, names or paths. The file appears whole or not at all (TemporaryFile).
+/// Coordinates that are not finite are written as they are.
+///
+/// STL is binary, with unit facet normals (zero for a facet without area). OBJ shares vertices as
+/// `mesh` does, gives each coordinate the fewest digits that identify the float32, and has neither
+/// materials nor a second file.
+///
+/// Throws UnsupportedFormat, FileError, and std::invalid_argument for a mesh without triangles or
+/// with an index past its vertices.
 void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, MeshFormat format);
 
-/// Reads a mesh of triangles from STL (binary or text), OBJ, PLY, 3MF or GLB; larger polygons
-/// become triangles. Nothing is joined, reordered or dropped, collapsed triangles and coordinates
-/// that are not finite included; several meshes in a file follow one another, placed as the file's
-/// nodes say. STL gives three vertices of its own to every triangle (weld() shares them again).
-/// Coordinates are float32 values, STL's and OBJ's exactly those nearest to what the file says.
-/// Throws FileError for a file that cannot be opened, is empty, truncated, contradicts itself, or
-/// holds no triangle; memory is asked for in proportion to the file's size, never to a count that
-/// it claims.
+/// Reads a mesh of triangles from STL (binary or text), OBJ, PLY, 3MF or GLB, told apart by the
+/// extension; larger polygons become triangles. Nothing is joined, reordered or dropped, collapsed
+/// triangles and coordinates that are not finite included; several meshes in a file follow one
+/// another, placed as the file's nodes say. STL gives every triangle three vertices of its own
+/// (weld() shares them again). Coordinates are float32 values, for STL and OBJ exactly those
+/// nearest to what the file says.
+///
+/// Throws FileError for a file that cannot be opened, is empty, contradicts itself or holds no
+/// triangle, and for STL that is cut short. For STL and OBJ memory is asked for in proportion to
+/// the file's size, never to a count that it claims. The others are read by assimp, whose readers
+/// are less careful with damaged files.
 TriangleMesh read_mesh(const std::filesystem::path& file);
 
 }  // namespace latticast

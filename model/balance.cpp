@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/balance.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include <Eigen/Dense>
 
 namespace latticast {
 namespace {
 
 constexpr int most_points = 64;
-constexpr int points_step = 4;
+
+/// The next rule in line: what a rule is refined to, and what its error is measured with.
+int more_points(int points) {
+  return points + std::max(4, points / 2);
+}
 
 /// Gauss points for about 1e-12. Everything depends on R through r/R, which has its nearest pole at
 /// R = 0; the rule converges like rho^(-2n), rho belonging to the ellipse through that pole.
@@ -30,9 +35,9 @@ Balance::Balance(const Section& section, Held held, int quadrature_points) : sec
   if (!held.twist) free_.push_back(1);
   free_.push_back(2);
   scale_ = {1, 1 / section.outer_radius_mm, section.inner_radius_mm};
-  const double rubber_area =
-      std::numbers::pi * (section.isotropic_to_mm - section.isotropic_from_mm) *
-      (section.isotropic_to_mm + section.isotropic_from_mm);
+  const double rubber_area = std::numbers::pi *
+                             (section.isotropic_to_mm - section.isotropic_from_mm) *
+                             (section.isotropic_to_mm + section.isotropic_from_mm);
   energy_ = section.shear_modulus_mpa * rubber_area;
 
   points_fixed_ = quadrature_points > 0;
@@ -60,8 +65,8 @@ std::optional<BalanceAt> Balance::finer_at(std::span<const double> x) const {
 
 bool Balance::refine() {
   if (points_fixed_ || std::max(liner_points_, lattice_points_) >= most_points) return false;
-  set_points(std::min(liner_points_ + points_step, most_points),
-             std::min(lattice_points_ + points_step, most_points));
+  set_points(std::min(more_points(liner_points_), most_points),
+             std::min(more_points(lattice_points_), most_points));
   return true;
 }
 
@@ -69,7 +74,7 @@ void Balance::set_points(int liner, int lattice) {
   liner_points_ = liner;
   lattice_points_ = lattice;
   quadrature_ = make_quadrature(section_, liner, lattice);
-  finer_ = make_quadrature(section_, liner + points_step, lattice + points_step);
+  finer_ = make_quadrature(section_, more_points(liner), more_points(lattice));
 }
 
 Deformation Balance::deformation(std::span<const double> x) const {
@@ -100,7 +105,8 @@ std::optional<BalanceAt> Balance::evaluate(std::span<const double> x,
       const int i = free_[row];
       const double scale = scale_[i] * scale_j;
       const double cavity_second = cavity.second(i, j);
-      result.stiffness[column * n + row] = (stored->second(i, j) - pressure * cavity_second) * scale;
+      result.stiffness[column * n + row] =
+          (stored->second(i, j) - pressure * cavity_second) * scale;
       result.push_slope[column * n + row] = cavity_second * scale * pressure_mpa_;
     }
   }

@@ -18,16 +18,17 @@ using BranchPoint = std::array<double, 4>;
 
 /// The balance at one point; n free coordinates, n x n matrices column after column.
 struct BalanceAt {
-  std::array<double, 3> imbalance{};   ///< scaled dPi/dq over the free coordinates; 0 in equilibrium
-  std::array<double, 9> stiffness{};   ///< scaled d2Pi/dq2
-  std::array<double, 3> push{};        ///< scaled dV/dq: what one unit of pressure adds
+  std::array<double, 3> imbalance{};  ///< scaled dPi/dq over the free coordinates; 0 in equilibrium
+  std::array<double, 9> stiffness{};  ///< scaled d2Pi/dq2
+  std::array<double, 3> push{};       ///< scaled dV/dq: what one unit of pressure adds
   std::array<double, 9> push_slope{};  ///< its derivative
   std::array<double, 3> reaction{};    ///< dPi/dq of all three coordinates: N, N mm, N/mm
 };
 
 /// Scaled coordinates are (lambda - 1, k R_o, a/R_i - 1); energies are in units of G A (liner shear
-/// modulus at rest times rubber cross-section). The pressure unit is the one that moves the rest state
-/// at unit speed in these coordinates, so that pressure and state weigh alike along the branch.
+/// modulus at rest times rubber cross-section). The pressure unit is the one that moves the rest
+/// state at unit speed in these coordinates, so that pressure and state weigh alike along the
+/// branch.
 class Balance {
  public:
   /// `quadrature_points` per integral; 0: enough for the rest geometry's nearest singularity.
@@ -57,7 +58,7 @@ class Balance {
   void set_points(int liner, int lattice);
 
   Section section_;
-  std::vector<int> free_;        // indices of the free coordinates among (elongation, twist, growth)
+  std::vector<int> free_;  // indices of the free coordinates among (elongation, twist, growth)
   std::array<double, 3> scale_;  // of all three coordinates
   double energy_ = 1;
   double pressure_mpa_ = 1;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/branch.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include <Eigen/Dense>
 
 namespace latticast {
 namespace {
@@ -15,12 +16,16 @@ using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4, 1>;
 using Eigen::Map;
 
 constexpr int most_iterations = 12;
-constexpr double first_reach = 1.0;
+constexpr double first_reach = 0.3;
 constexpr double smallest_reach = 1e-10;
-constexpr double endless_growth = 1e4;    // of a scaled coordinate, whose order is 1
-constexpr double wanted_turning = 0.08;   // correction against step that a step is chosen for ...
-constexpr double greatest_turning = 0.2;  // ... and beyond which it does not count
-constexpr double least_alignment = 0.5;   // cosine between successive tangents
+constexpr double path_accuracy = 1e-7;
+constexpr double endless_growth = 1e3;          // of a scaled coordinate, whose order is 1
+constexpr double bifurcation_accuracy = 1e-12;  // of its pressure, relative
+constexpr double closed_bore = -0.999;          // a/R_i - 1, always the last free coordinate
+constexpr double wanted_turning = 0.08;    // correction against step that a step is chosen for ...
+constexpr double greatest_turning = 0.15;  // ... and beyond which it does not count
+constexpr double least_slope = 1e-12;      // of pressure along the branch, above rounding
+constexpr double least_alignment = 0.95;   // cosine between successive tangents
 
 double dot(const BranchPoint& a, const BranchPoint& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
@@ -47,19 +52,43 @@ void examine_stability(BranchState& state, int n) {
   state.negative_eigenvalues = static_cast<int>((values.array() < 0).count());
 }
 
-/// The direction in which imbalance stays zero, on the side of `guide`. Bordering with `guide` keeps
-/// the system regular where the stiffness alone is singular.
+/// Derivatives of the imbalance by coordinates and pressure, closed by a plane's normal: regular
+/// also where the stiffness alone is singular.
+Matrix bordered(const BalanceAt& balance, const BranchPoint& normal, int n) {
+  Matrix matrix(n + 1, n + 1);
+  matrix.topLeftCorner(n, n) = Map<const Eigen::MatrixXd>(balance.stiffness.data(), n, n);
+  matrix.topRightCorner(n, 1) = -Map<const Eigen::VectorXd>(balance.push.data(), n);
+  matrix.bottomRows(1) = Map<const Eigen::RowVectorXd>(normal.data(), n + 1);
+  return matrix;
+}
+
+/// The direction in which imbalance stays zero, on the side of `guide`.
 BranchPoint tangent_at(const BalanceAt& balance, const BranchPoint& guide, int n) {
-  Matrix bordered(n + 1, n + 1);
-  bordered.topLeftCorner(n, n) = Map<const Eigen::MatrixXd>(balance.stiffness.data(), n, n);
-  bordered.topRightCorner(n, 1) = -Map<const Eigen::VectorXd>(balance.push.data(), n);
-  bordered.bottomRows(1) = Map<const Eigen::RowVectorXd>(guide.data(), n + 1);
   Vector right = Vector::Zero(n + 1);
   right[n] = 1;
-  const Vector direction = bordered.partialPivLu().solve(right).normalized();
+  const Vector direction = bordered(balance, guide, n).partialPivLu().solve(right).normalized();
   BranchPoint tangent{};
   std::copy(direction.begin(), direction.end(), tangent.begin());
   return tangent;
+}
+
+/// Whether the pressure between two states may turn back and forth again: the cubic through their
+/// pressures and slopes nearly stands still in between.
+bool may_turn_between(const BranchState& a, const BranchState& b, int n) {
+  const double sense = a.tangent[n] < 0 ? -1 : 1;
+  const double start = sense * a.tangent[n];
+  const double end = sense * b.tangent[n];
+  const double lesser = std::min(start, end);
+  if (lesser < least_slope) return false;
+  // Past a slope that small against the other end's, the cubic is no guide.
+  if (std::max(start, end) > 8 * lesser) return true;
+  const double mean = sense * (b.x[n] - a.x[n]) / distance(a.x, b.x);
+  // Slope at u in 0..1: start + linear u + square u^2.
+  const double linear = 6 * mean - 4 * start - 2 * end;
+  const double square = 3 * (start + end) - 6 * mean;
+  if (square <= 0) return false;
+  const double u = -linear / (2 * square);
+  return u > 0 && u < 1 && start + 0.5 * linear * u < 0.5 * lesser;
 }
 
 }  // namespace
@@ -87,6 +116,11 @@ BranchPoint Branch::pressure_axis() const {
   return axis;
 }
 
+/// How far the coordinates of two points are apart.
+double Branch::movement(const BranchPoint& a, const BranchPoint& b) const {
+  return distance(at_pressure(0, a), at_pressure(0, b));
+}
+
 BranchPoint Branch::ahead(double length) const {
   BranchPoint x = here_.x;
   for (int i = 0; i <= n_; ++i) x[i] += length * here_.tangent[i];
@@ -101,18 +135,10 @@ std::optional<BranchState> Branch::corrected(const BranchPoint& start, const Bra
     const auto at = balance_.at(x);
     if (!at) return false;
     state.balance = *at;
-    const Eigen::Index size = n_ + 1;
-    Map<Eigen::MatrixXd> j(jacobian.data(), size, size);
-    j.topLeftCorner(n_, n_) = Map<const Eigen::MatrixXd>(at->stiffness.data(), n_, n_);
+    Map<Eigen::MatrixXd>(jacobian.data(), n_ + 1, n_ + 1) = bordered(*at, normal, n_);
+    std::copy_n(at->imbalance.begin(), n_, residual.begin());
     residual[n_] = 0;
-    for (int i = 0; i < n_; ++i) {
-      residual[i] = at->imbalance[i];
-      j(i, n_) = -at->push[i];
-    }
-    for (int i = 0; i <= n_; ++i) {
-      residual[n_] += normal[i] * (x[i] - start[i]);
-      j(n_, i) = normal[i];
-    }
+    for (int i = 0; i <= n_; ++i) residual[n_] += normal[i] * (x[i] - start[i]);
     return true;
   };
   state.x = start;
@@ -128,9 +154,11 @@ std::optional<BranchState> Branch::corrected(const BranchPoint& start, const Bra
 Branch::Step Branch::try_step(const BranchPoint& start, const BranchPoint& normal) {
   const auto state = corrected(start, normal);
   if (!state) return {};
-  const double turning = distance(state->x, start) / distance(state->x, here_.x);
-  const bool accepted =
-      turning <= greatest_turning && dot(state->tangent, here_.tangent) >= least_alignment;
+  // In coordinates alone: a pressure far beyond the liner's strength would hide their changes.
+  const double turning = movement(state->x, start) / std::max(movement(state->x, here_.x), 1e-6);
+  const bool accepted = turning <= greatest_turning &&
+                        dot(state->tangent, here_.tangent) >= least_alignment &&
+                        !may_turn_between(here_, *state, n_);
   return {*state, turning, accepted};
 }
 
@@ -142,47 +170,62 @@ Reached Branch::advance_to(double pressure_mpa) {
   if (here_.tangent[n_] * sign < 0) {
     for (double& t : here_.tangent) t = -t;
   }
-  const auto beyond_target = [&](double pressure) { return (pressure - target) * sign > 0; };
   if (at_end(target, sign)) return Reached::end;
+  while (true) {
+    const Reached reached = follow_to(target, sign);
+    // Close to a rubber's stretch limit a coarse quadrature loses its solution before a fine one
+    // does.
+    if (reached != Reached::lost || !refine_here()) return reached;
+    reach_ = first_reach;
+  }
+}
 
+Reached Branch::follow_to(double target, double sign) {
+  const auto beyond_target = [&](double pressure) { return (pressure - target) * sign > 0; };
   for (int count = 0; count < options_.most_steps && reach_ > smallest_reach; ++count) {
     const double to_target = (target - here_.x[n_]) / here_.tangent[n_];
     const bool landing = to_target <= reach_;
     const double length = landing ? to_target : reach_;
-    BranchPoint start = ahead(length);
-    if (landing) start[n_] = target;
-    const Step step = try_step(start, landing ? pressure_axis() : here_.tangent);
+    const Step step = landing ? try_step(at_pressure(target, ahead(length)), pressure_axis())
+                              : try_step(ahead(length), here_.tangent);
+    const double change = wanted_turning / std::max(step.turning, 1e-3);
     if (!step.accepted || (!landing && beyond_target(step.state.x[n_]))) {
-      reach_ = length * std::clamp(wanted_turning / std::max(step.turning, 1e-3), 0.1, 0.5);
+      reach_ = length * std::clamp(change, 0.1, 0.5);
       continue;
     }
-    const bool turned_back = step.state.tangent[n_] * sign <= 0;
-    const bool crossed = step.state.negative_eigenvalues != here_.negative_eigenvalues;
-    if (turned_back) {
+    if (step.state.tangent[n_] * sign <= 0) {
       const auto limit = limit_point_before(step.state);
-      if (limit && !beyond_target(limit->x[n_])) {
-        critical_points_.push_back(*limit);
-        return Reached::end;
-      }
-      if (limit && land_before(*limit, target)) return Reached::target;
+      if (limit && !beyond_target(limit->x[n_])) return end_at(*limit);
+      if (limit && land_before(*limit, target)) return finish_landing();
       reach_ = 0.5 * length;
       continue;
     }
-    if (crossed) {
-      if (const auto bifurcation = bifurcation_before(step.state)) {
-        critical_points_.push_back(*bifurcation);
-      }
+    // A crossing that cannot be pinned down between here and there is a step to another branch.
+    if (step.state.negative_eigenvalues != here_.negative_eigenvalues &&
+        !note_bifurcation_before(step.state)) {
+      reach_ = 0.5 * length;
+      continue;
     }
+    if (step.state.x[n_ - 1] < closed_bore) return note_closure(step.state);
     here_ = step.state;
-    const double next = length * std::clamp(wanted_turning / std::max(step.turning, 1e-3), 0.5, 4.0);
+    const double next = length * std::clamp(change, 0.5, 4.0);
     reach_ = landing ? std::max(reach_, next) : next;
-    if (landing) {
-      finish_landing();
-      return Reached::target;
-    }
-    if (grown_without_end()) return Reached::end;
+    if (landing) return finish_landing();
+    // The path must be the section's own, not a coarse quadrature's.
+    refine_to(path_accuracy);
+    if (largest_growth() > endless_growth) return end_at(asymptote_here());
   }
   return Reached::lost;
+}
+
+Reached Branch::end_at(const CriticalPoint& end) {
+  critical_points_.push_back(end);
+  return Reached::end;
+}
+
+BranchPoint Branch::at_pressure(double pressure, BranchPoint x) const {
+  x[n_] = pressure;
+  return x;
 }
 
 /// Whether the branch is known to end before `target`.
@@ -192,31 +235,27 @@ bool Branch::at_end(double target, double sign) const {
   return last.kind != LimitKind::bifurcation && (last.x[n_] - target) * sign <= 0;
 }
 
-/// A soft tube can widen without end while the pressure tends to a bound (a neo-Hookean tube of held
-/// length does); there is no limit point to find then.
-bool Branch::grown_without_end() {
+double Branch::largest_growth() const {
   double growth = 0;
   for (int i = 0; i < n_; ++i) growth = std::max(growth, std::abs(here_.x[i]));
-  if (growth < endless_growth) return false;
-  CriticalPoint end;
-  end.kind = LimitKind::asymptote;
-  end.x = here_.x;
-  end.balance = here_.balance;
-  end.pressure_error = std::abs(here_.tangent[n_] * growth / here_.x[n_]);
-  critical_points_.push_back(end);
-  return true;
+  return growth;
 }
 
-/// Lands on a pressure short of a known limit point. Near it the state goes with the square root of
-/// the pressure that is left, which predicts far better than the tangent.
+/// A soft tube can widen without end while the pressure tends to a bound (a neo-Hookean tube of
+/// held length does); there is no limit point to find then.
+CriticalPoint Branch::asymptote_here() const {
+  const double left = std::abs(here_.tangent[n_]) * largest_growth();
+  return {LimitKind::asymptote, here_.x, here_.balance, left / std::abs(here_.x[n_])};
+}
+
+/// Moves here to a pressure short of a known limit point. Near it the state goes with the square
+/// root of the pressure that is left, which predicts far better than the tangent.
 bool Branch::land_before(const CriticalPoint& limit, double target) {
   const double left = (limit.x[n_] - target) / (limit.x[n_] - here_.x[n_]);
-  BranchPoint start = between(limit.x, here_.x, std::sqrt(left));
-  start[n_] = target;
-  const Step step = try_step(start, pressure_axis());
+  const Step step =
+      try_step(at_pressure(target, between(limit.x, here_.x, std::sqrt(left))), pressure_axis());
   if (!step.accepted || step.state.negative_eigenvalues != here_.negative_eigenvalues) return false;
   here_ = step.state;
-  finish_landing();
   return true;
 }
 
@@ -226,19 +265,19 @@ std::optional<CriticalPoint> Branch::limit_point_before(const BranchState& beyon
   if (!limit_newton_) limit_newton_.emplace(limit_point_unknowns(balance_));
   const double before = std::abs(here_.nearest_eigenvalue);
   const double fraction = before / (before + std::abs(beyond.nearest_eigenvalue));
-  auto found = locate_limit_point(balance_, *limit_newton_, between(here_.x, beyond.x, fraction));
-  for (int i = 0; i < 2; ++i) {
+  BranchPoint guess = between(here_.x, beyond.x, fraction);
+  const double step = distance(here_.x, beyond.x);
+  while (true) {
+    const auto found = locate_limit_point(balance_, *limit_newton_, guess);
     iterations_ += limit_newton_->iterations();
     // Between means between: anything else belongs to another branch.
-    const double step = distance(here_.x, beyond.x);
     if (!found || distance(found->x, here_.x) > 1.1 * step ||
         distance(found->x, beyond.x) > 1.1 * step) {
       return std::nullopt;
     }
-    if (found->pressure_error <= options_.error_goal || !balance_.refine()) break;
-    found = locate_limit_point(balance_, *limit_newton_, found->x);
+    if (found->pressure_error <= options_.error_goal || !balance_.refine()) return found;
+    guess = found->x;
   }
-  return found;
 }
 
 /// The pressure at which an eigenvalue changes sign without the branch turning back, by the secant
@@ -248,45 +287,85 @@ std::optional<CriticalPoint> Branch::bifurcation_before(const BranchState& beyon
   BranchPoint high = beyond.x;
   double at_low = std::abs(here_.nearest_eigenvalue);
   double at_high = -std::abs(beyond.nearest_eigenvalue);
-  CriticalPoint found;
-  found.kind = LimitKind::bifurcation;
+  const double slope = (at_low - at_high) / (low[n_] - high[n_]);
   int side = 0;
   for (int i = 0; i < 60; ++i) {
-    const auto middle = corrected(between(low, high, at_low / (at_low - at_high)), pressure_axis());
-    if (!middle) return std::nullopt;
-    found.x = middle->x;
-    found.balance = middle->balance;
+    const BranchPoint start = between(low, high, at_low / (at_low - at_high));
+    const auto middle = corrected(start, pressure_axis());
+    if (!middle || distance(middle->x, start) > greatest_turning * distance(here_.x, beyond.x)) {
+      return std::nullopt;
+    }
+    const double error = std::abs(middle->nearest_eigenvalue / (slope * middle->x[n_]));
+    if (error < bifurcation_accuracy) {
+      return CriticalPoint{LimitKind::bifurcation, middle->x, middle->balance, error};
+    }
     const bool before = middle->negative_eigenvalues == here_.negative_eigenvalues;
     (before ? low : high) = middle->x;
     (before ? at_low : at_high) = std::abs(middle->nearest_eigenvalue) * (before ? 1 : -1);
     const int now = before ? 1 : -1;
     if (now == side) (before ? at_high : at_low) *= 0.5;
     side = now;
-    found.pressure_error = std::abs((high[n_] - low[n_]) / middle->x[n_]);
-    if (found.pressure_error < 1e-12 || std::abs(middle->nearest_eigenvalue) < 1e-13) break;
   }
-  return found;
+  return std::nullopt;
 }
 
-/// Refines the quadrature until the state is as good as asked for, and records how good it is.
-void Branch::finish_landing() {
-  const auto estimate = [&] {
-    const auto finer = balance_.finer_at(here_.x);
-    if (!finer) return std::numeric_limits<double>::infinity();
-    const Map<const Eigen::MatrixXd> stiffness(here_.balance.stiffness.data(), n_, n_);
-    const Map<const Eigen::VectorXd> imbalance(finer->imbalance.data(), n_);
-    const Vector error = Matrix(stiffness).partialPivLu().solve(Vector(imbalance));
-    return error.cwiseAbs().maxCoeff();
-  };
-  here_.error_estimate = estimate();
-  while (here_.error_estimate > options_.error_goal && balance_.refine()) {
-    const auto refined = corrected(here_.x, pressure_axis());
-    if (!refined) return;
-    const double before = here_.error_estimate;
-    here_ = *refined;
-    here_.error_estimate = estimate();
-    if (here_.error_estimate > 0.5 * before) return;
+/// The branch ends where the bore is down to a thousandth; the energy does not know of contact.
+/// Lands on that bore between here and a state past it.
+Reached Branch::note_closure(const BranchState& beyond) {
+  BranchPoint normal{};
+  normal[n_ - 1] = 1;
+  const double fraction = (closed_bore - here_.x[n_ - 1]) / (beyond.x[n_ - 1] - here_.x[n_ - 1]);
+  BranchPoint start = between(here_.x, beyond.x, fraction);
+  start[n_ - 1] = closed_bore;
+  const auto closed = corrected(start, normal);
+  if (!closed) return Reached::lost;
+  const auto finer = balance_.finer_at(closed->x);
+  if (!finer) return Reached::lost;
+  Vector imbalance = Vector::Zero(n_ + 1);
+  imbalance.head(n_) = Map<const Eigen::VectorXd>(finer->imbalance.data(), n_);
+  const Vector error = bordered(closed->balance, normal, n_).partialPivLu().solve(imbalance);
+  const double relative = std::abs(error[n_] / closed->x[n_]);
+  return end_at({LimitKind::closure, closed->x, closed->balance, relative});
+}
+
+bool Branch::note_bifurcation_before(const BranchState& beyond) {
+  const auto bifurcation = bifurcation_before(beyond);
+  if (bifurcation) critical_points_.push_back(*bifurcation);
+  return bifurcation.has_value();
+}
+
+/// Takes a finer quadrature and moves here to its equilibrium at the same pressure.
+bool Branch::refine_here() {
+  if (!balance_.refine()) return false;
+  const auto refined = corrected(here_.x, pressure_axis());
+  if (refined) here_ = *refined;
+  return refined.has_value();
+}
+
+/// Largest error of a scaled coordinate: the finer quadrature's imbalance, mapped by H^-1.
+double Branch::error_here() const {
+  const auto finer = balance_.finer_at(here_.x);
+  if (!finer) return std::numeric_limits<double>::infinity();
+  const Matrix stiffness = Map<const Eigen::MatrixXd>(here_.balance.stiffness.data(), n_, n_);
+  const Vector imbalance = Map<const Eigen::VectorXd>(finer->imbalance.data(), n_);
+  return stiffness.partialPivLu().solve(imbalance).cwiseAbs().maxCoeff();
+}
+
+/// Refines the quadrature until the state here is good to `goal`, or rounding lets it get no
+/// better.
+void Branch::refine_to(double goal) {
+  here_.error_estimate = error_here();
+  double before = std::numeric_limits<double>::infinity();
+  while (here_.error_estimate > goal && here_.error_estimate < 0.9 * before) {
+    before = here_.error_estimate;
+    if (!refine_here()) break;
+    here_.error_estimate = error_here();
   }
+}
+
+Reached Branch::finish_landing() {
+  refine_to(options_.error_goal);
+  return Reached::target;
 }
 
 }  // namespace latticast

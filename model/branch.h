@@ -18,15 +18,16 @@ struct BranchState {
   BranchPoint tangent{};           ///< unit vector along the branch, in the direction of travel
   double smallest_eigenvalue = 0;  ///< of the scaled stiffness
   int negative_eigenvalues = 0;
-  double nearest_eigenvalue = 0;   ///< the one nearest to zero
-  double error_estimate = 0;       ///< set where a requested pressure was landed on
+  double nearest_eigenvalue = 0;  ///< the one nearest to zero
+  double error_estimate = 0;      ///< set where a requested pressure was landed on
 };
 
 enum class Reached { target, end, lost };
 
-/// Pseudo-arclength continuation (H. B. Keller, 1977): predict along the tangent, correct by Newton's
-/// method square to it, land on a requested pressure by correcting at that pressure. A step counts only
-/// if the correction is small against it and the tangent turns little; otherwise it is shortened.
+/// Pseudo-arclength continuation (H. B. Keller, 1977): predict along the tangent, correct by
+/// Newton's method square to it, land on a requested pressure by correcting at that pressure. A
+/// step counts only if the correction is small against it, the tangent turns little, and the
+/// pressure does not seem to turn back and forth in between; otherwise it is shortened.
 class Branch {
  public:
   Branch(const Section& section, Held held, const SolverOptions& options);
@@ -57,14 +58,24 @@ class Branch {
 
   std::optional<BranchState> corrected(const BranchPoint& start, const BranchPoint& normal);
   Step try_step(const BranchPoint& start, const BranchPoint& normal);
+  double movement(const BranchPoint& a, const BranchPoint& b) const;
   BranchPoint ahead(double length) const;
   BranchPoint pressure_axis() const;
+  BranchPoint at_pressure(double pressure, BranchPoint x) const;
+  Reached follow_to(double target, double sign);
   bool at_end(double target, double sign) const;
-  bool grown_without_end();
+  Reached end_at(const CriticalPoint& end);
+  double largest_growth() const;
+  CriticalPoint asymptote_here() const;
   bool land_before(const CriticalPoint& limit, double target);
   std::optional<CriticalPoint> limit_point_before(const BranchState& beyond);
   std::optional<CriticalPoint> bifurcation_before(const BranchState& beyond);
-  void finish_landing();
+  bool note_bifurcation_before(const BranchState& beyond);
+  Reached note_closure(const BranchState& beyond);
+  bool refine_here();
+  double error_here() const;
+  void refine_to(double goal);
+  Reached finish_landing();
 
   Balance balance_;
   SolverOptions options_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A number that carries its first and second derivatives with respect to N variables (second-order
-// forward-mode differentiation). A formula written once on Dual<N> yields value, gradient and Hessian,
-// exact up to rounding. Fixed size, no heap.
+// forward-mode differentiation). A formula written once on Dual<N> yields value, gradient and
+// Hessian, exact up to rounding. Fixed size, no heap.
 #pragma once
 
 #include <array>

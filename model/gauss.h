@@ -12,8 +12,9 @@ struct GaussRule {
   std::vector<double> weights;
 };
 
-/// The rule with `count` >= 1 points, exact for polynomials of degree 2 count - 1. Abscissae are the
-/// roots of the Legendre polynomial, found by Newton's method to rounding; symmetric to the last bit.
+/// The rule with `count` >= 1 points, exact for polynomials of degree 2 count - 1. Abscissae are
+/// the roots of the Legendre polynomial, found by Newton's method to rounding; symmetric to the
+/// last bit.
 GaussRule gauss_legendre(int count);
 
 }  // namespace latticast

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/limit_point.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include <Eigen/Dense>
 
 namespace latticast {
 namespace {
@@ -25,8 +26,8 @@ VectorXd nearly_free_direction(const BalanceAt& balance, int n) {
   return eigen.eigenvectors().col(nearest);
 }
 
-/// d(H v)/dq = dH along v, the third derivatives being symmetric. Central differences are enough: the
-/// solution does not depend on this Jacobian, only the speed of convergence does.
+/// d(H v)/dq = dH along v, the third derivatives being symmetric. Central differences are enough:
+/// the solution does not depend on this Jacobian, only the speed of convergence does.
 std::optional<MatrixXd> stiffness_slope(const Balance& balance, std::span<const double> x,
                                         const VectorXd& direction) {
   const int n = balance.free_count();
@@ -49,7 +50,7 @@ std::optional<MatrixXd> stiffness_slope(const Balance& balance, std::span<const 
 /// Unknowns: n coordinates, pressure, v.
 bool extended_system(const Balance& balance, std::span<const double> y, std::span<double> residual,
                      std::span<double> jacobian) {
-  const int n = balance.free_count();
+  const Eigen::Index n = balance.free_count();
   const auto at = balance.at(y);
   if (!at) return false;
   const Map<const VectorXd> v(y.data() + n + 1, n);

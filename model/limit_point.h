@@ -19,12 +19,14 @@ struct CriticalPoint {
 };
 
 /// Size of the system that `locate_limit_point` solves, for its NewtonSolver.
-inline int limit_point_unknowns(const Balance& balance) { return 2 * balance.free_count() + 1; }
+inline int limit_point_unknowns(const Balance& balance) {
+  return 2 * balance.free_count() + 1;
+}
 
 /// Solves the extended system of a limit point (G. Moore, A. Spence, SIAM J. Numer. Anal. 17, 1980)
 ///     dPi/dq = 0,  H v = 0,  v . v = 1
-/// from a guess near it. Empty when Newton's method does not converge; that the result belongs to the
-/// branch in question is for the caller to check.
+/// from a guess near it. Empty when Newton's method does not converge; that the result belongs to
+/// the branch in question is for the caller to check.
 std::optional<CriticalPoint> locate_limit_point(const Balance& balance, NewtonSolver& newton,
                                                 const BranchPoint& guess);
 

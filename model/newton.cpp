@@ -2,14 +2,15 @@
 #include "model/newton.h"
 
 #include <algorithm>
-#include <kinsol/kinsol.h>
 #include <limits>
-#include <nvector/nvector_serial.h>
 #include <stdexcept>
+#include <vector>
+
+#include <kinsol/kinsol.h>
+#include <nvector/nvector_serial.h>
 #include <sundials/sundials_context.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
-#include <vector>
 
 namespace latticast {
 namespace {

@@ -50,6 +50,7 @@ std::string limit_name(const CriticalPoint& point, double pressure_kpa) {
     return "bifurcation" + at + ": states " + (inflating ? "above" : "below") +
            " it on this branch are unstable";
   }
+  if (point.kind == LimitKind::closure) return "the bore closes" + at + ": no open state below it";
   const std::string beyond =
       std::string(": no equilibrium ") + (inflating ? "above" : "below") + " it on this branch";
   if (point.kind == LimitKind::asymptote) return "growth without end" + at + beyond;
@@ -57,14 +58,16 @@ std::string limit_name(const CriticalPoint& point, double pressure_kpa) {
 }
 
 /// Why a path could not be followed further, where the model itself gives the reason.
-std::string reason_of_loss(const Balance& balance, const BranchPoint& x) {
+std::string reason_of_loss(const Balance& balance, const BranchState& here) {
   const Section& section = balance.section();
-  const Deformation q = balance.deformation(x);
+  const Deformation q = balance.deformation(here.x);
   if (stretch_limit_used(section, q) > 0.99) {
-    return ": the liner's rubber has come to its stretch limit (Gent), where its stress is unbounded";
+    return ": the liner's rubber has come to its stretch limit (Gent), where its stress is "
+           "unbounded";
   }
-  if (q.inner_growth < -0.999 * section.inner_radius_mm) return ": the bore has closed";
-  if (q.elongation < -0.999) return ": the tube has no length left";
+  if (std::abs(here.nearest_eigenvalue) < 0.01) {
+    return ": the section is on the verge of instability there";
+  }
   return "";
 }
 
@@ -133,9 +136,9 @@ class Prediction {
   void report_loss(Response& response) const {
     response.status = Status::not_converged;
     const double pressure = branch_.balance().pressure_mpa(branch_.here().x) * kpa_per_mpa;
-    append(response.message,
-           "the equilibrium could not be followed beyond " + pressure_text(pressure) +
-               reason_of_loss(branch_.balance(), branch_.here().x));
+    append(response.message, "the equilibrium could not be followed beyond " +
+                                 pressure_text(pressure) +
+                                 reason_of_loss(branch_.balance(), branch_.here()));
   }
 
   void report_critical_points(Response& response) const {

@@ -17,7 +17,9 @@ constexpr double pi = std::numbers::pi;
 constexpr double mixture_rubber = 0.91;
 constexpr double mixture_lattice = 0.09;
 
-std::string grid_name(std::size_t index) { return "grid " + std::to_string(index); }
+std::string grid_name(std::size_t index) {
+  return "grid " + std::to_string(index);
+}
 
 double rest_shear_modulus(const Law& law) {
   if (const auto* rubber = std::get_if<NeoHookean>(&law)) return rubber->shear_modulus_mpa;
@@ -32,7 +34,8 @@ double youngs_modulus(const Lattice& lattice) {
   if (const auto* linear = std::get_if<Linear>(&lattice.material.law)) {
     return linear->youngs_modulus_mpa;
   }
-  throw UnsupportedDesign("the lattice material is a rubber; strands need a linear material (E, nu)");
+  throw UnsupportedDesign(
+      "the lattice material is a rubber; strands need a linear material (E, nu)");
 }
 
 /// Rings as they exist on the segment: how much of the layer they fill, and their pitch.
@@ -84,8 +87,10 @@ StrandFamily strand_family(const Segment& segment, std::size_t index, const Ring
   const Grid& grid = segment.lattice->grids[index];
   refuse_uncovered(grid, index);
   const double modulus = youngs_modulus(*segment.lattice);
-  const double angle = grid.angle_deg * pi / 180;
-  StrandFamily family{std::cos(angle), std::sin(angle), 0, 0};
+  // Measured from the axis, mirrored angles have exactly mirrored directions: a symmetric lattice
+  // is symmetric to the last bit, and does not twist.
+  const double from_axis = (90 - grid.angle_deg) * pi / 180;
+  StrandFamily family{std::sin(from_axis), std::cos(from_axis), 0, 0};
   const bool layered = model.wall == WallKind::layered;
   const double around = 2 * pi * segment.lattice_mid_radius_mm() * family.sine;
   double filled = 0;
@@ -206,8 +211,7 @@ Number strand_energy_density(const StrandFamily& family, const Kinematics<Number
   const double s = family.sine;
   const Number shear = q.twist * (radius * s);
   const Number around = shear + c;
-  const Number square_minus_1 =
-      x * square(around) + shear * (shear + 2 * c) + q.axial * (s * s);
+  const Number square_minus_1 = x * square(around) + shear * (shear + 2 * c) + q.axial * (s * s);
   const Number strain = square_minus_1 / (sqrt(square_minus_1 + 1.0) + 1.0);
   Number energy = square(strain) * (0.5 * family.stretch_modulus_mpa);
   if (family.joint_modulus_mpa > 0) {
@@ -236,7 +240,8 @@ Number lattice_energy(const Section& section, const Quadrature& quadrature,
 }
 
 bool possible(const Section& section, const Deformation& at) {
-  if (!std::isfinite(at.elongation) || !std::isfinite(at.twist) || !std::isfinite(at.inner_growth)) {
+  if (!std::isfinite(at.elongation) || !std::isfinite(at.twist) ||
+      !std::isfinite(at.inner_growth)) {
     return false;
   }
   if (!(at.elongation > -1) || !(at.inner_growth > -section.inner_radius_mm)) return false;
@@ -278,9 +283,9 @@ Quadrature make_quadrature(const Section& section, int liner_points, int lattice
 std::optional<SectionEnergy> stored_energy(const Section& section, const Quadrature& quadrature,
                                            const Deformation& at) {
   if (!possible(section, at)) return std::nullopt;
-  const auto q = kinematics(section, SectionEnergy::variable(0, at.elongation),
-                            SectionEnergy::variable(1, at.twist),
-                            SectionEnergy::variable(2, at.inner_growth));
+  const auto q =
+      kinematics(section, SectionEnergy::variable(0, at.elongation),
+                 SectionEnergy::variable(1, at.twist), SectionEnergy::variable(2, at.inner_growth));
   return liner_energy(section, quadrature, q) + lattice_energy(section, quadrature, q);
 }
 
@@ -301,7 +306,8 @@ double stretch_limit_used(const Section& section, const Deformation& at) {
          gent->limit_jm;
 }
 
-double current_radius_mm(double inner_radius_mm, double reference_radius_mm, const Deformation& at) {
+double current_radius_mm(double inner_radius_mm, double reference_radius_mm,
+                         const Deformation& at) {
   const double inner = inner_radius_mm + at.inner_growth;
   const double outside =
       (reference_radius_mm - inner_radius_mm) * (reference_radius_mm + inner_radius_mm);

@@ -27,23 +27,26 @@ Shape::Shape(std::span<const Segment> segments, std::span<const State> states) {
 }
 
 std::size_t Shape::segment_at(double z_mm) const {
-  const auto above = std::upper_bound(
-      pieces_.begin(), pieces_.end(), z_mm,
-      [](double z, const Piece& piece) { return z < piece.rest_begin_mm; });
+  const auto above =
+      std::upper_bound(pieces_.begin(), pieces_.end(), z_mm,
+                       [](double z, const Piece& piece) { return z < piece.rest_begin_mm; });
   return above == pieces_.begin() ? 0 : static_cast<std::size_t>(above - pieces_.begin()) - 1;
 }
 
-Point Shape::moved(const Point& rest) const { return moved(rest, segment_at(rest[2])); }
+Point Shape::moved(const Point& rest) const {
+  return moved(rest, segment_at(rest[2]));
+}
 
 Point Shape::moved(const Point& rest, std::size_t segment) const {
   const Piece& piece = pieces_.at(segment);
   const double radius = std::hypot(rest[0], rest[1]);
   const double along = rest[2] - piece.rest_begin_mm;
-  const double growth = radius < piece.inner_radius_mm
-                            ? 1 + piece.deformation.inner_growth / piece.inner_radius_mm
-                            : current_radius_mm(piece.inner_radius_mm, radius, piece.deformation) /
-                                  radius;
-  // Turning the vector instead of its polar angle keeps the axis and the seam free of special cases.
+  const double growth =
+      radius < piece.inner_radius_mm
+          ? 1 + piece.deformation.inner_growth / piece.inner_radius_mm
+          : current_radius_mm(piece.inner_radius_mm, radius, piece.deformation) / radius;
+  // Turning the vector instead of its polar angle keeps the axis and the seam free of special
+  // cases.
   const double angle = piece.rotation_begin_rad + piece.deformation.twist * along;
   const double cosine = growth * std::cos(angle);
   const double sine = growth * std::sin(angle);
@@ -51,7 +54,9 @@ Point Shape::moved(const Point& rest, std::size_t segment) const {
           piece.moved_begin_mm + (1 + piece.deformation.elongation) * along};
 }
 
-double Shape::z_begin_mm(std::size_t segment) const { return pieces_.at(segment).rest_begin_mm; }
+double Shape::z_begin_mm(std::size_t segment) const {
+  return pieces_.at(segment).rest_begin_mm;
+}
 
 double Shape::z_end_mm(std::size_t segment) const {
   return pieces_.at(segment).rest_begin_mm + pieces_.at(segment).rest_length_mm;

@@ -23,7 +23,7 @@ bool has_control_character(std::string_view text) {
 }
 
 std::string read_name(const Field& field) {
-  const std::string name = field.text().value_or("");
+  std::string name = field.text().value_or("");
   if (!field.is_text()) return name;
   const std::string hint = R"(the name begins the files' names; write one as in "twisting-36")";
   if (name.empty() || name.size() > limits::name_bytes) {

@@ -67,7 +67,9 @@ void read_modulus_band(const Field& field, Material& material) {
 
 std::optional<Material> read_entry(const std::string& name, Section table, bool needs_source) {
   const std::optional<Law> law = read_law(table);
-  Material material{.name = name, .law = law.value_or(Law())};
+  Material material;
+  material.name = name;
+  material.law = law.value_or(Law());
   material.max_strain = table.may("max_strain").optional_number(limits::strain);
   material.elongation_at_break = table.may("elongation_at_break").optional_number(limits::strain);
   material.density_g_per_cm3 = table.may("density").optional_number(limits::density);

@@ -8,8 +8,8 @@
 namespace latticast {
 
 /// An entry of a library: a law with its constants, and `source`, which must say where they are
-/// from.
-Material read_library_entry(const std::string& name, const Field& field);
+/// from. Empty when the law could not be read.
+std::optional<Material> read_library_entry(const std::string& name, const Field& field);
 
 /// A design's material: the name of a library entry, or an inline table of the same form as an
 /// entry with `source` optional (its name is then "inline"). Empty when absent, refused, or of

@@ -38,8 +38,9 @@ void draw_rings(const Lattice& lattice, Pattern& pattern) {
 
 void draw_grid(const Grid& grid, Pattern& pattern) {
   if (grid.horseshoe) {
-    throw UnsupportedDesign("horseshoe strands cannot be drawn yet: leave 'horseshoe' out of the grid at " +
-                      std::to_string(grid.angle_deg) + " degrees to draw it straight");
+    throw UnsupportedDesign(
+        "horseshoe strands cannot be drawn yet: leave 'horseshoe' out of the grid at " +
+        std::to_string(grid.angle_deg) + " degrees to draw it straight");
   }
   const double spacing = pattern.circumference_mm / grid.count();
   for (int i = 0; i < grid.count(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A segment's strands, drawn flat: the tube is unrolled at the lattice's mid radius R_c, u = R_c Theta
-// runs around it and z along it. The plane is periodic in u; a strand may run on through many periods.
+// A segment's strands, drawn flat: the tube is unrolled at the lattice's mid radius R_c, u = R_c
+// Theta runs around it and z along it. The plane is periodic in u; a strand may run on through many
+// periods.
 #pragma once
 
 #include <vector>
@@ -15,8 +16,8 @@ struct PlanePoint {
   double z = 0;
 };
 
-/// One strand's filled outline: a simple polygon, counter-clockwise seen from outside the tube, in the
-/// plane before it is made periodic, 0 <= z <= length.
+/// One strand's filled outline: a simple polygon, counter-clockwise seen from outside the tube, in
+/// the plane before it is made periodic, 0 <= z <= length.
 struct Strand {
   std::vector<PlanePoint> outline;
 };
@@ -28,9 +29,10 @@ struct Pattern {
   std::vector<Strand> strands;
 };
 
-/// Draws the rings and straight strips of a lattice. Strips keep their width square to themselves at
-/// R_c and are cut level at both ends (MODEL.md section 3); strip 0 of every family starts at u = 0.
-/// Precondition: a validated segment with a lattice. Throws UnsupportedDesign for horseshoe strands.
+/// Draws the rings and straight strips of a lattice. Strips keep their width square to themselves
+/// at R_c and are cut level at both ends (MODEL.md section 3); strip 0 of every family starts at u
+/// = 0. Precondition: a validated segment with a lattice. Throws UnsupportedDesign for horseshoe
+/// strands.
 Pattern draw_lattice(const Segment& segment);
 
 /// Draws a closed sleeve: the whole plane, as one strand, at the given radius.

@@ -8,13 +8,13 @@
 
 namespace latticast {
 
-/// Centre-to-centre distance of the rings in mm (MODEL.md section 3): (L - w)/(n - 1) for rings given
-/// by count, the stated pitch otherwise.
+/// Centre-to-centre distance of the rings in mm (MODEL.md section 3): (L - w)/(n - 1) for rings
+/// given by count, the stated pitch otherwise.
 double ring_pitch_mm(const Rings& rings, double segment_length_mm);
 
-/// Ring centres in ascending z, mm from the segment's start. Rings given by count are flush with both
-/// ends; rings given by pitch have centres at p/2 + i p, and only rings that lie wholly on the segment
-/// exist (none, when the segment is shorter than the first ring's far edge).
+/// Ring centres in ascending z, mm from the segment's start. Rings given by count are flush with
+/// both ends; rings given by pitch have centres at p/2 + i p, and only rings that lie wholly on the
+/// segment exist (none, when the segment is shorter than the first ring's far edge).
 std::vector<double> ring_centres_mm(const Rings& rings, double segment_length_mm);
 
 }  // namespace latticast

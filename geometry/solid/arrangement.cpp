@@ -10,7 +10,7 @@ namespace latticast {
 namespace {
 
 constexpr double most_pieces = 20e6;
-constexpr int most_passes = 64;
+constexpr int most_passes = 1000;
 
 using Column = std::vector<ArrangedEdge>;
 using Heights = std::vector<std::int32_t>;  // sorted, distinct
@@ -59,7 +59,8 @@ class Cutter {
     }
     const std::int64_t width = grid_.column_steps;
     FarPoint from = a;
-    for (std::int64_t line = (a.u / width - (a.u % width < 0)) * width + width; line < b.u; line += width) {
+    for (std::int64_t line = (a.u / width - (a.u % width < 0)) * width + width; line < b.u;
+         line += width) {
       const double part = static_cast<double>(line - a.u) / static_cast<double>(b.u - a.u);
       const FarPoint to{line, a.z + std::llround(part * static_cast<double>(b.z - a.z))};
       add_piece(from, to, winding);
@@ -84,10 +85,17 @@ class Cutter {
       const GridPoint to{static_cast<std::int32_t>(
                              local(a).u + std::llround(part * static_cast<double>(b.u - a.u))),
                          height};
-      if (from != to) pieces.push_back(ordered(from, to, winding));
+      add_part(pieces, from, to, winding);
       from = to;
     }
-    if (from != end) pieces.push_back(ordered(from, end, winding));
+    add_part(pieces, from, end, winding);
+  }
+
+  // A steep piece that starts on a column line may have its first part rounded onto the line.
+  void add_part(Column& pieces, GridPoint from, GridPoint to, int winding) const {
+    if (from == to) return;
+    const ArrangedEdge part = ordered(from, to, winding);
+    if (!on_column_line(part, grid_.column_steps)) pieces.push_back(part);
   }
 
   // The cut heights strictly between two heights, in the order in which they are passed.
@@ -104,15 +112,26 @@ class Cutter {
   std::vector<Column>& columns_;
 };
 
+// How far along an edge a point lies, square to it: 0 at its start, `along(edge, edge.b)` at its
+// end.
+std::int64_t along(const ArrangedEdge& edge, GridPoint point) {
+  return std::int64_t{edge.b.u - edge.a.u} * (point.u - edge.a.u) +
+         std::int64_t{edge.b.z - edge.a.z} * (point.z - edge.a.z);
+}
+
+// Between the edge's ends, or one of them; not past an end, nor square beside it.
+bool within(GridPoint point, const ArrangedEdge& edge) {
+  const std::int64_t position = along(edge, point);
+  return (position > 0 && position < along(edge, edge.b)) || point == edge.a || point == edge.b;
+}
+
 // Is the point within one step of the edge's inside (not of its ends)?
 bool touches(GridPoint point, const ArrangedEdge& edge) {
-  const double du = edge.b.u - edge.a.u;
-  const double dz = edge.b.z - edge.a.z;
-  const double length_squared = du * du + dz * dz;
-  const double along = du * (point.u - edge.a.u) + dz * (point.z - edge.a.z);
-  if (along <= 0 || along >= length_squared) return false;
+  const std::int64_t position = along(edge, point);
+  const std::int64_t length_squared = along(edge, edge.b);
+  if (position <= 0 || position >= length_squared) return false;
   const auto off = static_cast<double>(turn(edge.a, edge.b, point));
-  return off * off < length_squared;
+  return off * off < static_cast<double>(length_squared);
 }
 
 bool crosses(const ArrangedEdge& e, const ArrangedEdge& f) {
@@ -147,8 +166,10 @@ class ColumnSnapper {
   // Returns whether anything changed.
   bool run() {
     find_touches();
+    for (const auto& stops : splits_) is_touched_.push_back(!stops.empty());
     find_crossings();
-    const bool changed = std::any_of(splits_.begin(), splits_.end(), [](auto& s) { return !s.empty(); });
+    const bool changed =
+        std::any_of(splits_.begin(), splits_.end(), [](auto& s) { return !s.empty(); });
     if (changed) apply_splits();
     return changed;
   }
@@ -186,8 +207,14 @@ class ColumnSnapper {
   void test_crossing(std::size_t i, std::size_t j) {
     const ArrangedEdge& e = edges_[i];
     const ArrangedEdge& f = edges_[j];
+    // Points that are there come first: they may already part the edges, where a point of their own
+    // for every pair would let edges overtake each other along a grid line, ever farther away.
+    if (is_touched_[i] || is_touched_[j]) return;
     if (e.b.u < f.a.u || f.b.u < e.a.u || !crosses(e, f)) return;
     const GridPoint point = crossing_point(e, f);
+    // Where rounding takes the point past an end, that end touches the other edge, which is then
+    // cut there; a cut here would only lengthen a piece, and passes could go round in circles.
+    if (!within(point, e) || !within(point, f)) return;
     if (point != e.a && point != e.b) splits_[i].push_back(point);
     if (point != f.a && point != f.b) splits_[j].push_back(point);
   }
@@ -196,23 +223,33 @@ class ColumnSnapper {
     Column pieces;
     pieces.reserve(edges_.size() + points_.size());
     for (std::size_t i = 0; i < edges_.size(); ++i) {
-      const ArrangedEdge& edge = edges_[i];
-      auto& stops = splits_[i];
-      const auto along = [&](GridPoint p) {
-        return std::int64_t{edge.b.u - edge.a.u} * (p.u - edge.a.u) +
-               std::int64_t{edge.b.z - edge.a.z} * (p.z - edge.a.z);
-      };
-      std::sort(stops.begin(), stops.end(), [&](GridPoint p, GridPoint q) {
-        return along(p) != along(q) ? along(p) < along(q) : p < q;
-      });
-      stops.push_back(edge.b);
-      GridPoint from = edge.a;
-      for (const GridPoint to : stops) {
-        if (from != to) add(pieces, ordered(from, to, edge.winding));
+      GridPoint from = edges_[i].a;
+      for (const GridPoint to : chain(edges_[i], std::move(splits_[i]))) {
+        if (from != to) add(pieces, ordered(from, to, edges_[i].winding));
         from = to;
       }
     }
     edges_ = std::move(pieces);
+  }
+
+  // The points that take an edge from its start over its stops to its end. Every piece is shorter
+  // than the edge, so the passes come to an end. A chain over several stops of a short edge may
+  // turn back and forth; a single stop never does, because it lies within one step of the edge.
+  static std::vector<GridPoint> chain(const ArrangedEdge& edge, std::vector<GridPoint> stops) {
+    if (stops.empty()) return {edge.b};
+    std::sort(stops.begin(), stops.end(), [&](GridPoint p, GridPoint q) {
+      const std::int64_t to_p = along(edge, p);
+      const std::int64_t to_q = along(edge, q);
+      return to_p != to_q ? to_p < to_q : p < q;
+    });
+    const GridPoint middle = stops[stops.size() / 2];
+    stops.push_back(edge.b);
+    GridPoint from = edge.a;
+    for (const GridPoint to : stops) {
+      if (along({from, to}, to) >= along(edge, edge.b)) return {middle, edge.b};
+      from = to;
+    }
+    return stops;
   }
 
   void add(Column& pieces, const ArrangedEdge& piece) const {
@@ -223,9 +260,11 @@ class ColumnSnapper {
   std::int32_t column_steps_;
   std::vector<GridPoint> points_;
   std::vector<std::vector<GridPoint>> splits_;
+  std::vector<char> is_touched_;  // by edge: does a known point split it in this pass?
 };
 
-// Equal pieces become one. Where two strands share a side the sum may be 0: such a piece bounds nothing.
+// Equal pieces become one. Where two strands share a side the sum may be 0: such a piece bounds
+// nothing.
 void merge_equal(Column& edges) {
   std::sort(edges.begin(), edges.end(), [](const ArrangedEdge& e, const ArrangedEdge& f) {
     return e.a != f.a ? e.a < f.a : e.b < f.b;
@@ -268,8 +307,9 @@ void snap_until_clean(Arrangement& plane) {
   std::vector<char> dirty(count, 1);
   for (int pass = 0; std::count(dirty.begin(), dirty.end(), 1) > 0; ++pass) {
     if (pass == most_passes) {
-      throw GeometryError("strands graze each other so finely that their crossings cannot be told "
-                          "apart; change an angle, a count or a width slightly");
+      throw GeometryError(
+          "strands graze each other so finely that their crossings cannot be told "
+          "apart; change an angle, a count or a width slightly");
     }
     for (int c = 0; c < count; ++c) {
       if (!dirty[c]) continue;
@@ -284,14 +324,16 @@ void snap_until_clean(Arrangement& plane) {
   }
 }
 
-// How many pieces the column lines will make of the outlines, before any is made.
+// How many pieces the column lines and the cuts will make of the outlines, before any is made.
 double expected_pieces(const Pattern& pattern, const PlaneGrid& grid, std::size_t cuts) {
   const double column_width = pattern.circumference_mm / grid.columns;
+  const double cut_spacing = pattern.length_mm / static_cast<double>(cuts + 1);
   double pieces = 0;
   for (const Strand& strand : pattern.strands) {
     for (std::size_t i = 0; i < strand.outline.size(); ++i) {
-      const PlanePoint& next = strand.outline[(i + 1) % strand.outline.size()];
-      pieces += 1 + std::abs(next.u - strand.outline[i].u) / column_width;
+      const PlanePoint& from = strand.outline[i];
+      const PlanePoint& to = strand.outline[(i + 1) % strand.outline.size()];
+      pieces += 1 + std::abs(to.u - from.u) / column_width + std::abs(to.z - from.z) / cut_spacing;
     }
   }
   return pieces + static_cast<double>(cuts) * grid.columns;
@@ -302,7 +344,8 @@ double expected_pieces(const Pattern& pattern, const PlaneGrid& grid, std::size_
 Arrangement arrange(const Pattern& pattern, const PlaneGrid& grid,
                     std::span<const std::int32_t> cuts) {
   if (const double pieces = expected_pieces(pattern, grid, cuts.size()); !(pieces <= most_pieces)) {
-    throw GeometryError("the lattice would need about " + std::to_string(std::llround(pieces / 1e6)) +
+    throw GeometryError("the lattice would need about " +
+                        std::to_string(std::llround(pieces / 1e6)) +
                         " million outline pieces; the limit is 20 million: use fewer strands, a "
                         "steeper angle, a shorter segment or a coarser tolerance");
   }

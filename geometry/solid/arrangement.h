@@ -12,25 +12,25 @@
 
 namespace latticast {
 
-/// A piece of outline inside one column, a < b. Crossing it from its right side to its left side (for
-/// an edge that runs along u: from below to above) changes the winding number by `winding`; a cut line
-/// has winding 0.
+/// A piece of outline inside one column, a < b. Crossing it from its right side to its left side
+/// (for an edge that runs along u: from below to above) changes the winding number by `winding`; a
+/// cut line has winding 0.
 struct ArrangedEdge {
   GridPoint a;
   GridPoint b;
   int winding = 0;
 };
 
-/// Column by column. Pieces that lie on a column line are left out: what is inside on either side of
-/// the line follows from the columns themselves.
+/// Column by column. Pieces that lie on a column line are left out: what is inside on either side
+/// of the line follows from the columns themselves.
 struct Arrangement {
   PlaneGrid grid;
   std::vector<std::int32_t> cuts;  ///< heights of the cut lines, ascending
   std::vector<std::vector<ArrangedEdge>> columns;
 };
 
-/// The design needs more pieces than this program will hold in memory, or its strands graze each other
-/// so finely that the grid cannot part them; what() says which.
+/// The design needs more pieces than this program will hold in memory, or its strands graze each
+/// other so finely that the grid cannot part them; what() says which.
 struct GeometryError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -38,9 +38,9 @@ struct GeometryError : std::runtime_error {
 /// Rounds the pattern's outlines to the grid, cuts them at every column line and at the heights
 /// `cuts` (grid steps, ascending, inside the segment), and at each other.
 ///
-/// Guarantees: no two edges of a column cross or overlap; every grid point that is an end of an edge
-/// lies at least one step from every other edge; a point on a column line is known to both columns.
-/// No edge moves by more than a few grid steps. The winding of each outline is preserved.
+/// Guarantees: no two edges of a column cross or overlap; every grid point that is an end of an
+/// edge lies at least one step from every other edge; a point on a column line is known to both
+/// columns. No edge moves by more than a few grid steps. The winding of each outline is preserved.
 /// Method: iterated snap rounding (D. Halperin, E. Packer, Comput. Geom. 23, 2002).
 /// Time n log n for strands of bounded crossing; throws GeometryError as described there.
 Arrangement arrange(const Pattern& pattern, const PlaneGrid& grid,

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/solid/nesting.h"
 #include "geometry/solid/self_intersection.h"
 
 namespace latticast {
@@ -30,12 +31,13 @@ class DisjointSets {
 
 // One side of a triangle, filed under its lower vertex.
 struct Side {
-  std::uint32_t upper;    // the other vertex
-  std::uint32_t corner;   // 3 * triangle + position of the corner where the side starts
-  bool ascending;         // runs from the lower to the upper vertex
+  std::uint32_t upper;   // the other vertex
+  std::uint32_t corner;  // 3 * triangle + position of the corner where the side starts
+  bool ascending;        // runs from the lower to the upper vertex
 };
 
-// Sides grouped by lower vertex: those of vertex v are [first[v], first[v + 1]), sorted by upper vertex.
+// Sides grouped by lower vertex: those of vertex v are [first[v], first[v + 1]), sorted by upper
+// vertex.
 struct SideTable {
   std::vector<std::uint32_t> first;
   std::vector<Side> sides;
@@ -81,6 +83,7 @@ class Auditor {
     if (audit_.count(Defect::not_finite) == 0) {
       measure();
       search_intersections();
+      check_facing();
     }
     std::stable_sort(audit_.findings.begin(), audit_.findings.end(),
                      [](const Finding& a, const Finding& b) { return a.defect < b.defect; });
@@ -159,7 +162,8 @@ class Auditor {
     fans_.unite(next_corner(a.corner), opposite ? b.corner : next_corner(b.corner));
   }
 
-  // A vertex with more than one fan is pinched; the fans' number is the Euler count's vertex number.
+  // A vertex with more than one fan is pinched; the fans' number is the Euler count's vertex
+  // number.
   void check_fans() {
     std::vector<std::uint32_t> fan_of(mesh_.vertices.size(), 0);
     std::vector<char> seen(mesh_.vertices.size(), 0);
@@ -176,12 +180,24 @@ class Auditor {
       audit_.vertices += !seen[v];
       seen[v] = 1;
     }
-    for (std::uint32_t corner = 0; corner < 3 * mesh_.triangles.size(); ++corner) {
-      audit_.components += bodies.find(corner) == corner;
-    }
+    collect_bodies(bodies);
+    audit_.components = static_cast<int>(bodies_.size());
     const auto euler = static_cast<long>(fans) - static_cast<long>(audit_.edges) +
                        static_cast<long>(audit_.triangles);
     audit_.genus = audit_.components - static_cast<int>(euler / 2);
+  }
+
+  // The triangles of each connected body, in file order.
+  void collect_bodies(DisjointSets& corners) {
+    std::vector<std::uint32_t> body_of(3 * mesh_.triangles.size(), 0);  // by root corner, from 1
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      std::uint32_t& body = body_of[corners.find(3 * t)];
+      if (body == 0) {
+        bodies_.emplace_back();
+        body = static_cast<std::uint32_t>(bodies_.size());
+      }
+      bodies_[body - 1].push_back(t);
+    }
   }
 
   void measure() {
@@ -204,6 +220,37 @@ class Auditor {
       audit_.area_mm2 += 0.5 * std::hypot(normal[0], normal[1], normal[2]);
       audit_.volume_mm3 += (a[0] * normal[0] + a[1] * normal[1] + a[2] * normal[2]) / 6;
     }
+  }
+
+  // Six times the volume of one body, from its own first vertex: far from the origin the sum over
+  // the mesh may lose the sign of a small one.
+  double six_volumes(const std::vector<std::uint32_t>& body) const {
+    const Point& origin = mesh_.vertices[mesh_.triangles[body.front()][0]];
+    double sum = 0;
+    for (const std::uint32_t t : body) {
+      std::array<Point, 3> r{};
+      for (int i = 0; i < 3; ++i) {
+        for (int axis = 0; axis < 3; ++axis) {
+          r[i][axis] = mesh_.vertices[mesh_.triangles[t][i]][axis] - origin[axis];
+        }
+      }
+      sum += r[0][0] * (r[1][1] * r[2][2] - r[1][2] * r[2][1]) +
+             r[0][1] * (r[1][2] * r[2][0] - r[1][0] * r[2][2]) +
+             r[0][2] * (r[1][0] * r[2][1] - r[1][1] * r[2][0]);
+    }
+    return sum;
+  }
+
+  void check_facing() {
+    if (audit_.findings.empty()) {
+      const std::vector<int> around = surrounding_winding(mesh_, bodies_);
+      for (std::size_t i = 0; i < bodies_.size(); ++i) {
+        const int expected = six_volumes(bodies_[i]) > 0 ? 0 : 1;
+        const std::uint32_t triangle = bodies_[i].front();
+        if (around[i] != expected) report(Defect::inside_out, middle(triangle), triangle);
+      }
+      return;
+    }
     const bool closed = audit_.count(Defect::open_edge) + audit_.count(Defect::crowded_edge) +
                             audit_.count(Defect::inconsistent_edge) ==
                         0;
@@ -220,19 +267,26 @@ class Auditor {
   const TriangleMesh& mesh_;
   DisjointSets fans_;  // of triangle corners around their vertex
   std::vector<char> degenerate_;
+  std::vector<std::vector<std::uint32_t>> bodies_;
   Audit audit_;
 };
 
 }  // namespace
 
 std::string_view name(Defect defect) {
-  constexpr std::array<std::string_view, 8> names{
-      "coordinate that is not finite", "triangle without area", "open edge",
-      "edge with more than two triangles", "edge with inconsistent orientation", "pinched vertex",
-      "self-intersection", "mesh turned inside out"};
+  constexpr std::array<std::string_view, 8> names{"coordinate that is not finite",
+                                                  "triangle without area",
+                                                  "open edge",
+                                                  "edge with more than two triangles",
+                                                  "edge with inconsistent orientation",
+                                                  "pinched vertex",
+                                                  "self-intersection",
+                                                  "mesh turned inside out"};
   return names[static_cast<std::size_t>(defect)];
 }
 
-Audit audit(const TriangleMesh& welded) { return Auditor(welded).run(); }
+Audit audit(const TriangleMesh& welded) {
+  return Auditor(welded).run();
+}
 
 }  // namespace latticast

@@ -9,16 +9,21 @@
 namespace latticast {
 namespace {
 
-// Float32 keeps 24 bits: steps of 2^-22 of the largest coordinate stay at least two of its units apart.
+// Float32 keeps 24 bits: steps of 2^-22 of the largest coordinate stay at least two of its units
+// apart.
 constexpr double float_resolution = 0x1p-22;
 
 }  // namespace
 
-double PlaneGrid::column_angle_rad() const { return 2 * std::numbers::pi / columns; }
+double PlaneGrid::column_angle_rad() const {
+  return 2 * std::numbers::pi / columns;
+}
 
-PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int columns, double step_mm) {
+PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int columns, double step_mm,
+                          double start_z_mm) {
   const double u_step = std::max(step_mm, circumference_mm * float_resolution);
-  const double z_step = std::max(step_mm, length_mm * float_resolution);
+  const double farthest_z = std::max(std::abs(start_z_mm), std::abs(start_z_mm + length_mm));
+  const double z_step = std::max(step_mm, farthest_z * float_resolution);
   const double column_width = circumference_mm / columns;
   const auto steps = std::max<std::uint64_t>(4, std::llround(column_width / u_step));
   PlaneGrid grid;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The integer grid on which the unrolled plane is worked. The tube is a prism of flat columns; the grid
-// has the same whole number of steps in every column, so the seam is a grid line like any other.
+// The integer grid on which the unrolled plane is worked. The tube is a prism of flat columns; the
+// grid has the same whole number of steps in every column, so the seam is a grid line like any
+// other.
 #pragma once
 
 #include <compare>
@@ -27,13 +28,16 @@ struct PlaneGrid {
   double column_angle_rad() const;
 };
 
-/// A grid of at most `step_mm`, coarser where float32 coordinates could not tell two grid points apart
-/// (long or wide tubes). Precondition: columns >= 3, sizes positive.
-PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int columns,
-                          double step_mm = 2e-5);
+inline constexpr double finest_step_mm = 2e-5;
 
-/// Twice the signed area of the triangle a, b, c in grid steps; exact. Positive if c lies to the left
-/// of a -> b.
+/// A grid of at most `step_mm`, coarser where float32 coordinates could not tell two grid points
+/// apart: on long or wide tubes, and in z far along the actuator, `start_z_mm` from its beginning.
+/// Precondition: columns >= 3, sizes positive.
+PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int columns,
+                          double step_mm = finest_step_mm, double start_z_mm = 0);
+
+/// Twice the signed area of the triangle a, b, c in grid steps; exact. Positive if c lies to the
+/// left of a -> b.
 inline std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) {
   return std::int64_t{b.u - a.u} * (c.z - a.z) - std::int64_t{b.z - a.z} * (c.u - a.u);
 }

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/solid/plane_mesh.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include <algorithm>
-#include <numeric>
-
 namespace latticast {
 namespace {
+
+constexpr double safe_height_steps = 1;
+constexpr int most_flip_passes = 100;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
@@ -21,7 +25,8 @@ using Cells = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
     CGAL::No_constraint_intersection_tag>;
 
-// An edge of one column by vertex number, with material on its left; a cut line has it on both sides.
+// An edge of one column by vertex number, with material on its left; a cut line has it on both
+// sides.
 struct ColumnEdge {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
@@ -106,15 +111,17 @@ class Builder {
   }
 
   std::uint32_t on_line(int line, std::int32_t z) const {
-    const auto at = std::lower_bound(lines_[line].begin(), lines_[line].end(), z,
-                                     [](const LinePoint& p, std::int32_t value) { return p.z < value; });
+    const auto at =
+        std::lower_bound(lines_[line].begin(), lines_[line].end(), z,
+                         [](const LinePoint& p, std::int32_t value) { return p.z < value; });
     return first_on_line_[line] + static_cast<std::uint32_t>(at - lines_[line].begin());
   }
 
   // A region vertex as seen from a column: one on the next line lies at the column's right side.
   Kernel::Point_2 position(int column, std::uint32_t vertex) const {
     const PlaneMeshVertex& v = mesh_.vertices[vertex];
-    const bool on_left = v.column == column && vertex < first_on_line_[column] + lines_[column].size();
+    const bool on_left =
+        v.column == column && vertex < first_on_line_[column] + lines_[column].size();
     if (on_left || vertex >= first_interior_) {
       return {static_cast<double>(v.point.u), static_cast<double>(v.point.z)};
     }
@@ -143,15 +150,67 @@ class Builder {
     for (const ColumnEdge& edge : bounds) {
       cells.insert_constraint(handle_of(edge.from), handle_of(edge.to));
     }
+    raise_low_triangles(cells);
     for (const auto face : cells.all_face_handles()) face->info() = false;
-    for (const ColumnEdge& edge : bounds) fill_from(cells, handle_of(edge.from), handle_of(edge.to));
+    for (const ColumnEdge& edge : bounds)
+      fill_from(cells, handle_of(edge.from), handle_of(edge.to));
+  }
+
+  // A vertex lies at least one step from every edge that is not its own, but may lie far closer to
+  // a Delaunay diagonal, closer even than float32 can tell: rounded, that triangle would turn over.
+  // Flipping the diagonal parts the two; each flip makes the lower of two triangles higher.
+  static void raise_low_triangles(Cells& cells) {
+    bool changed = true;
+    for (int pass = 0; changed && pass < most_flip_passes; ++pass) {
+      changed = false;
+      for (const auto& found : cells.finite_face_handles()) {
+        if (height(corner(found, 0), corner(found, 1), corner(found, 2)) >= safe_height_steps) {
+          continue;
+        }
+        for (int i = 0; i < 3; ++i) {
+          Cells::Face_handle face = found;
+          if (!flip_is_better(cells, face, i)) continue;
+          cells.flip(face, i);
+          changed = true;
+          break;
+        }
+      }
+    }
+  }
+
+  static GridPoint corner(Cells::Face_handle face, int i) {
+    const auto& p = face->vertex(i)->point();
+    return {static_cast<std::int32_t>(p.x()), static_cast<std::int32_t>(p.y())};
+  }
+
+  // Least distance of a corner from the line through the two others; not positive for a triangle
+  // that is not counter-clockwise.
+  static double height(GridPoint a, GridPoint b, GridPoint c) {
+    const auto length = [](GridPoint p, GridPoint q) {
+      return std::hypot(static_cast<double>(q.u) - p.u, static_cast<double>(q.z) - p.z);
+    };
+    return static_cast<double>(turn(a, b, c)) /
+           std::max({length(a, b), length(b, c), length(c, a)});
+  }
+
+  static bool flip_is_better(const Cells& cells, Cells::Face_handle face, int i) {
+    const Cells::Face_handle other = face->neighbor(i);
+    if (face->is_constrained(i) || cells.is_infinite(other)) return false;
+    const GridPoint apex = corner(face, i);
+    const GridPoint from = corner(face, Cells::ccw(i));
+    const GridPoint to = corner(face, Cells::cw(i));
+    const GridPoint opposite = corner(other, cells.mirror_index(face, i));
+    const double before = std::min(height(apex, from, to), height(opposite, to, from));
+    const double after = std::min(height(apex, from, opposite), height(opposite, to, apex));
+    return after > before;
   }
 
   // Adds the material that lies on the left of an edge and has not been reached yet.
   void fill_from(Cells& cells, Cells::Vertex_handle from, Cells::Vertex_handle to) {
     Cells::Face_handle face;
     int side = 0;
-    // The face found lies on the edge's left: is_edge gives it with from = cw(side), so turned around.
+    // The face found lies on the edge's left: is_edge gives it with from = cw(side), so turned
+    // around.
     cells.is_edge(to, from, face, side);
     if (face->vertex(Cells::ccw(side)) != from) face = face->neighbor(side);
     std::vector<Cells::Face_handle> pending{face};
@@ -160,7 +219,8 @@ class Builder {
       pending.pop_back();
       if (face->info()) continue;
       face->info() = true;
-      mesh_.triangles.push_back({numbers_[face->vertex(0)->info()], numbers_[face->vertex(1)->info()],
+      mesh_.triangles.push_back({numbers_[face->vertex(0)->info()],
+                                 numbers_[face->vertex(1)->info()],
                                  numbers_[face->vertex(2)->info()]});
       for (int i = 0; i < 3; ++i) {
         if (!face->is_constrained(i)) pending.push_back(face->neighbor(i));
@@ -179,7 +239,9 @@ class Builder {
 
 }  // namespace
 
-PlaneMesh triangulate(const Region& region) { return Builder(region).run(); }
+PlaneMesh triangulate(const Region& region) {
+  return Builder(region).run();
+}
 
 int pieces(const PlaneMesh& mesh) {
   std::vector<std::uint32_t> parent(mesh.vertices.size());

@@ -11,13 +11,13 @@
 namespace latticast {
 
 struct PlaneMeshVertex {
-  int column = 0;   ///< a vertex on a line belongs to the column on the line's right, with u = 0
+  int column = 0;  ///< a vertex on a line belongs to the column on the line's right, with u = 0
   GridPoint point;
 };
 
-/// Triangles are counter-clockwise seen from outside the tube. Outline edges run with the material on
-/// their left; each closes into loops. Vertices are ordered by line, then by column: the same for every
-/// run and machine.
+/// Triangles are counter-clockwise seen from outside the tube. Outline edges run with the material
+/// on their left; each closes into loops. Vertices are ordered by line, then by column: the same
+/// for every run and machine.
 struct PlaneMesh {
   PlaneGrid grid;
   std::vector<PlaneMeshVertex> vertices;
@@ -25,8 +25,9 @@ struct PlaneMesh {
   std::vector<std::array<std::uint32_t, 2>> outline;
 };
 
-/// Triangulates the inside of a region; constrained Delaunay, column by column (CGAL). Uses exactly the
-/// region's vertices. Time n log n.
+/// Triangulates the inside of a region; constrained Delaunay, column by column (CGAL), with some
+/// diagonals flipped where a triangle would be lower than a grid step. Uses exactly the region's
+/// vertices. Time n log n.
 PlaneMesh triangulate(const Region& region);
 
 /// Number of connected pieces of the triangulated region.

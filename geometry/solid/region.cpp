@@ -12,12 +12,13 @@ namespace {
 
 constexpr int most_closing_rounds = 16;
 
-// Sweeps one column from left to right (upwards along vertical edges) and finds the winding number on
-// both sides of every edge. Edges meet at their ends only, so the order of the edges that the sweep
-// line meets changes at vertices alone.
+// Sweeps one column from left to right (upwards along vertical edges) and finds the winding number
+// on both sides of every edge. Edges meet at their ends only, so the order of the edges that the
+// sweep line meets changes at vertices alone.
 class WindingSweep {
  public:
-  explicit WindingSweep(const std::vector<ArrangedEdge>& edges) : edges_(edges), above_(edges.size()) {}
+  explicit WindingSweep(const std::vector<ArrangedEdge>& edges)
+      : edges_(edges), above_(edges.size()) {}
 
   // Calls visit(edge, winding on its right, winding on its left) for every edge.
   template <class Visit>
@@ -28,7 +29,8 @@ class WindingSweep {
     std::vector<std::uint32_t> by_end = by_start;
     std::sort(by_start.begin(), by_start.end(),
               [&](auto i, auto j) { return edges_[i].a < edges_[j].a; });
-    std::sort(by_end.begin(), by_end.end(), [&](auto i, auto j) { return edges_[i].b < edges_[j].b; });
+    std::sort(by_end.begin(), by_end.end(),
+              [&](auto i, auto j) { return edges_[i].b < edges_[j].b; });
     std::size_t ended = 0;
     for (std::size_t first = 0; first < by_start.size();) {
       const GridPoint vertex = edges_[by_start[first]].a;
@@ -53,9 +55,8 @@ class WindingSweep {
 
   template <class Visit>
   void insert(std::span<std::uint32_t> starting, GridPoint vertex, Visit&& visit) {
-    std::sort(starting.begin(), starting.end(), [&](auto i, auto j) {
-      return turn(vertex, edges_[i].b, edges_[j].b) > 0;
-    });
+    std::sort(starting.begin(), starting.end(),
+              [&](auto i, auto j) { return turn(vertex, edges_[i].b, edges_[j].b) > 0; });
     const auto at = std::partition_point(status_.begin(), status_.end(), [&](std::uint32_t other) {
       return turn(edges_[other].a, edges_[other].b, vertex) > 0;
     });
@@ -79,7 +80,8 @@ std::vector<RegionEdge> region_edges(const std::vector<ArrangedEdge>& edges,
   std::vector<RegionEdge> kept;
   WindingSweep(edges).run([&](const ArrangedEdge& edge, int below, int above) {
     const RegionEdge side{edge.a, edge.b, above > 0, below > 0};
-    const bool on_cut = edge.a.z == edge.b.z && std::binary_search(cuts.begin(), cuts.end(), edge.a.z);
+    const bool on_cut =
+        edge.a.z == edge.b.z && std::binary_search(cuts.begin(), cuts.end(), edge.a.z);
     if (side.is_outline() || (side.inside_left && on_cut)) kept.push_back(side);
   });
   return kept;
@@ -103,7 +105,8 @@ struct PlaneVertex {
 struct PlaneVertexHash {
   std::size_t operator()(const PlaneVertex& v) const {
     const auto low = static_cast<std::uint64_t>(v.point.z) * 0x9E3779B97F4A7C15ULL;
-    const auto high = (static_cast<std::uint64_t>(v.column) << 32U) + static_cast<std::uint64_t>(v.point.u);
+    const auto high =
+        (static_cast<std::uint64_t>(v.column) << 32U) + static_cast<std::uint64_t>(v.point.u);
     return static_cast<std::size_t>((low ^ high) * 0xD6E8FEB86659FD93ULL >> 7U);
   }
 };
@@ -149,10 +152,14 @@ std::vector<PlaneVertex> touching_points(const Region& region) {
 }
 
 Strand diamond(const PlaneGrid& grid, const PlaneVertex& at, double half) {
-  const double u = (static_cast<double>(at.column) * grid.column_steps + at.point.u) * grid.u_step_mm;
+  const double u =
+      (static_cast<double>(at.column) * grid.column_steps + at.point.u) * grid.u_step_mm;
   const double z = at.point.z * grid.z_step_mm;
   const double length = grid.length_steps * grid.z_step_mm;
-  return {{{u, std::max(0.0, z - half)}, {u + half, z}, {u, std::min(length, z + half)}, {u - half, z}}};
+  return {{{u, std::max(0.0, z - half)},
+           {u + half, z},
+           {u, std::min(length, z + half)},
+           {u - half, z}}};
 }
 
 std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
@@ -171,15 +178,17 @@ Region unite(Pattern pattern, const PlaneGrid& grid, std::span<const std::int32_
     if (points.empty()) return region;
     for (const PlaneVertex& point : points) pattern.strands.push_back(diamond(grid, point, half));
   }
-  throw GeometryError("strands touch in points that cannot be closed; change an angle, a count or a "
-                      "width slightly");
+  throw GeometryError(
+      "strands touch in points that cannot be closed; change an angle, a count or a "
+      "width slightly");
 }
 
 std::vector<LinePoint> line_points(const Region& region, int line) {
   const int before = (line + region.grid.columns - 1) % region.grid.columns;
   std::vector<LinePoint> points;  // the flags first say: does an outline edge end here?
   for (const RegionEdge& edge : region.columns[before]) {
-    if (edge.b.u == region.grid.column_steps) points.push_back({edge.b.z, edge.is_outline(), false});
+    if (edge.b.u == region.grid.column_steps)
+      points.push_back({edge.b.z, edge.is_outline(), false});
   }
   for (const RegionEdge& edge : region.columns[line]) {
     if (edge.a.u == 0) points.push_back({edge.a.z, false, edge.is_outline()});
@@ -204,7 +213,8 @@ double area_mm2(const Region& region) {
   for (const auto& column : region.columns) {
     for (const RegionEdge& edge : column) {
       if (!edge.is_outline()) continue;
-      const std::int64_t under = std::int64_t{edge.b.u - edge.a.u} * (std::int64_t{edge.a.z} + edge.b.z);
+      const std::int64_t under =
+          std::int64_t{edge.b.u - edge.a.u} * (std::int64_t{edge.a.z} + edge.b.z);
       twice_steps += edge.inside_right ? under : -under;
     }
   }

@@ -11,19 +11,20 @@
 
 namespace latticast {
 
-/// An edge of the region inside one column, a < b. Either its two sides differ (outline) or both are
-/// inside (a cut line across the material).
+/// An edge of the region inside one column, a < b. Either its two sides differ (outline) or both
+/// are inside (a cut line across the material).
 struct RegionEdge {
   GridPoint a;
   GridPoint b;
-  bool inside_left = false;   ///< material on the left of a -> b
+  bool inside_left = false;  ///< material on the left of a -> b
   bool inside_right = false;
 
   bool is_outline() const { return inside_left != inside_right; }
 };
 
-/// A planar region on the periodic plane, column by column. Guarantees: edges meet at their ends only;
-/// every outline vertex has exactly two outline edges (no region touches itself or another in a point).
+/// A planar region on the periodic plane, column by column. Guarantees: edges meet at their ends
+/// only; every outline vertex has exactly two outline edges (no region touches itself or another in
+/// a point).
 struct Region {
   PlaneGrid grid;
   std::vector<std::vector<RegionEdge>> columns;
@@ -37,8 +38,8 @@ struct LinePoint {
   bool inside_after = false;
 };
 
-/// Unites the strands. Where material touches itself in a single point only, the point is closed with a
-/// small diamond of half-width `closing_mm`, as a maker would want it and a mesh needs it.
+/// Unites the strands. Where material touches itself in a single point only, the point is closed
+/// with a small diamond of half-width `closing_mm`, as a maker would want it and a mesh needs it.
 /// Throws GeometryError (see arrangement.h).
 Region unite(Pattern pattern, const PlaneGrid& grid, std::span<const std::int32_t> cuts,
              double closing_mm);

@@ -12,7 +12,9 @@ namespace {
 constexpr int fewest_columns = 12;
 constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
 
-double corner_factor(double column_angle) { return std::sqrt(column_angle / std::sin(column_angle)); }
+double corner_factor(double column_angle) {
+  return std::sqrt(column_angle / std::sin(column_angle));
+}
 
 // Makes the mesh vertices of plane vertices at radii on demand, and the faces between them.
 class Wrapper {
@@ -26,7 +28,8 @@ class Wrapper {
       const int around = line % grid_.columns;
       directions_.push_back({std::cos(around * angle), std::sin(around * angle)});
     }
-    for (const double radius : relief.radii_mm) corner_radii_.push_back(radius * corner_factor(angle));
+    for (const double radius : relief.radii_mm)
+      corner_radii_.push_back(radius * corner_factor(angle));
   }
 
   TriangleMesh run() {
@@ -57,7 +60,8 @@ class Wrapper {
     }
   }
 
-  // Walls along the tube lie in a plane through its axis direction, walls around it in a cross-section.
+  // Walls along the tube lie in a plane through its axis direction, walls around it in a
+  // cross-section.
   bool is_flat(std::uint32_t from, std::uint32_t to) const {
     const PlaneMeshVertex& a = relief_.plane.vertices[from];
     const PlaneMeshVertex& b = relief_.plane.vertices[to];
@@ -77,7 +81,8 @@ class Wrapper {
     std::uint32_t& index = vertex_at_[plane_vertex * corner_radii_.size() + level];
     if (index == unused) {
       index = static_cast<std::uint32_t>(mesh_.vertices.size());
-      mesh_.vertices.push_back(position(relief_.plane.vertices[plane_vertex], corner_radii_[level]));
+      mesh_.vertices.push_back(
+          position(relief_.plane.vertices[plane_vertex], corner_radii_[level]));
     }
     return index;
   }
@@ -87,13 +92,15 @@ class Wrapper {
     const double part = static_cast<double>(v.point.u) / grid_.column_steps;
     const auto& left = directions_[v.column];
     const auto& right = directions_[v.column + 1];
-    return {radius * std::lerp(left[0], right[0], part), radius * std::lerp(left[1], right[1], part),
+    return {radius * std::lerp(left[0], right[0], part),
+            radius * std::lerp(left[1], right[1], part),
             relief_.start_z_mm + v.point.z * grid_.z_step_mm};
   }
 
   const Relief& relief_;
   const PlaneGrid& grid_;
-  std::vector<std::array<double, 2>> directions_;  // of the column lines; the last is the first again
+  std::vector<std::array<double, 2>>
+      directions_;  // of the column lines; the last is the first again
   std::vector<double> corner_radii_;
   std::vector<std::uint32_t> vertex_at_;  // mesh vertex of (plane vertex, level)
   TriangleMesh mesh_;
@@ -101,7 +108,9 @@ class Wrapper {
 
 }  // namespace
 
-TriangleMesh wrap(const Relief& relief) { return Wrapper(relief).run(); }
+TriangleMesh wrap(const Relief& relief) {
+  return Wrapper(relief).run();
+}
 
 double chord_error_mm(double radius_mm, double column_angle_rad) {
   const double factor = corner_factor(column_angle_rad);
@@ -119,7 +128,8 @@ int columns_for(double radius_mm, double tolerance_mm) {
 std::vector<double> wall_radii(double floor_mm, double ceiling_mm, double column_angle_rad,
                                double steepness, double tolerance_mm) {
   // A wall's middle vertex leaves the ruled surface by 1/16 of the difference between its outer and
-  // inner edge, which is the column's angle times the wall's depth; square to the wall, times steepness.
+  // inner edge, which is the column's angle times the wall's depth; square to the wall, times
+  // steepness.
   const double depth = ceiling_mm - floor_mm;
   const double off = column_angle_rad * depth * steepness / 16;
   const int layers = std::max(1, static_cast<int>(std::ceil(off / tolerance_mm - 1e-9)));

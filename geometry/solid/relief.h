@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A relief gives a region of the unrolled plane a radial interval; wrapping it around the tube gives a
-// closed solid. Floors, ceilings and walls share vertices, so nothing is left to sew or to intersect.
+// A relief gives a region of the unrolled plane a radial interval; wrapping it around the tube
+// gives a closed solid. Floors, ceilings and walls share vertices, so nothing is left to sew or to
+// intersect.
 #pragma once
 
 #include <vector>
@@ -12,28 +13,31 @@ namespace latticast {
 
 struct Relief {
   PlaneMesh plane;
-  std::vector<double> radii_mm;  ///< ascending, at least two: floor, levels that divide the walls, ceiling
-  double start_z_mm = 0;         ///< where the segment begins along the actuator
+  std::vector<double>
+      radii_mm;           ///< ascending, at least two: floor, levels that divide the walls, ceiling
+  double start_z_mm = 0;  ///< where the segment begins along the actuator
 };
 
 /// Wraps a relief into one closed, outward-oriented mesh with shared vertices.
 ///
-/// Guarantees: every edge has two triangles; genus = outline loops - pieces; volume equals region area
-/// x (r_ceiling^2 - r_floor^2) / (2 R), R being the radius where the plane was unrolled, up to rounding.
-/// Columns are flat: their corners lie at radius r sqrt(D / sin D), D the column's angle, which makes the
-/// prism's section exactly as large as the circle's. A wall between two radii is a twisted quadrangle,
-/// filled by four triangles around its middle, which leaves its volume unbiased; docs/geometry.md derives it.
+/// Guarantees: every edge has two triangles; genus = outline loops - pieces; volume equals region
+/// area x (r_ceiling^2 - r_floor^2) / (2 R), R being the radius where the plane was unrolled, up to
+/// rounding. Columns are flat: their corners lie at radius r sqrt(D / sin D), D the column's angle,
+/// which makes the prism's section exactly as large as the circle's. A wall between two radii is a
+/// twisted quadrangle, filled by four triangles around its middle, which leaves its volume
+/// unbiased; docs/geometry.md derives it.
 TriangleMesh wrap(const Relief& relief);
 
-/// Largest distance between the wrapped surface of radius r and the cylinder, for columns of angle D:
-/// the larger of r (sqrt(D / sin D) - 1) and r (1 - sqrt(D / sin D) cos(D / 2)).
+/// Largest distance between the wrapped surface of radius r and the cylinder, for columns of angle
+/// D: the larger of r (sqrt(D / sin D) - 1) and r (1 - sqrt(D / sin D) cos(D / 2)).
 double chord_error_mm(double radius_mm, double column_angle_rad);
 
 /// Fewest columns (at least 12) that keep the chord error within a tolerance.
 int columns_for(double radius_mm, double tolerance_mm);
 
-/// The radii between floor and ceiling that keep the walls within `tolerance_mm` of the true helicoids.
-/// `steepness` is the largest |sin| of the angle between an outline and the circumference, 0 for walls
+/// The radii between floor and ceiling that keep the walls within `tolerance_mm` of the true
+/// helicoids. `steepness` is the largest |sin| of the angle between an outline and the
+/// circumference at any radius of the layer (an outline is steepest at the floor), 0 for walls
 /// along rings or along the tube only, which are flat.
 std::vector<double> wall_radii(double floor_mm, double ceiling_mm, double column_angle_rad,
                                double steepness, double tolerance_mm);

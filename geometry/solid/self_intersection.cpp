@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/solid/self_intersection.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 namespace latticast {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-Kernel::Point_3 exact(const Point& p) { return {p[0], p[1], p[2]}; }
+Kernel::Point_3 exact(const Point& p) {
+  return {p[0], p[1], p[2]};
+}
 
 struct Box {
   Point low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
@@ -34,8 +36,8 @@ struct Box {
   }
 };
 
-// Tells exactly whether two triangles meet where they should not. A plane test in plain floating point
-// with an error bound settles nearly all pairs; the rest goes to exact predicates.
+// Tells exactly whether two triangles meet where they should not. A plane test in plain floating
+// point with an error bound settles nearly all pairs; the rest goes to exact predicates.
 class PairTest {
  public:
   explicit PairTest(const TriangleMesh& mesh) : mesh_(mesh), planes_(mesh.triangles.size()) {
@@ -92,14 +94,16 @@ class PairTest {
       height += plane.normal[axis] * offset;
       magnitude += plane.products[axis] * std::abs(offset);
     }
-    // Each term carries at most 5 roundings, their sum 2 more; 16 epsilon covers them with room. The
-    // bound is 0 only where every product is, as for a point in the plane of an axis-parallel triangle.
+    // Each term carries at most 5 roundings, their sum 2 more; 16 epsilon covers them with room.
+    // The bound is 0 only where every product is, as for a point in the plane of an axis-parallel
+    // triangle.
     const double bound = 16 * 0x1p-52 * magnitude;
     if (height > bound) return 1;
     if (height < -bound) return -1;
     if (bound == 0) return 0;
     const Triangle& t = mesh_.triangles[i];
-    return static_cast<int>(CGAL::orientation(point(t[0]), point(t[1]), point(t[2]), point(vertex)));
+    return static_cast<int>(
+        CGAL::orientation(point(t[0]), point(t[1]), point(t[2]), point(vertex)));
   }
 
   // Moves shared vertices to the front of both triangles, in the same order.
@@ -126,7 +130,8 @@ class PairTest {
     return true;
   }
 
-  // Two triangles with a common edge meet elsewhere only if they lie in one plane, on the same side of it.
+  // Two triangles with a common edge meet elsewhere only if they lie in one plane, on the same side
+  // of it.
   bool folds(std::uint32_t first, const Triangle& s, const Triangle& t) const {
     if (side(first, t[2]) != 0) return false;
     return CGAL::coplanar_orientation(point(s[0]), point(s[1]), point(s[2]), point(t[2])) ==

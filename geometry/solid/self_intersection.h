@@ -9,8 +9,8 @@
 
 namespace latticast {
 
-/// All pairs of triangles that meet elsewhere than in the vertices or the edge that they share; exact.
-/// Pairs are ordered. `skip[i]` leaves triangle i out (degenerate triangles must be).
+/// All pairs of triangles that meet elsewhere than in the vertices or the edge that they share;
+/// exact. Pairs are ordered. `skip[i]` leaves triangle i out (degenerate triangles must be).
 /// Precondition: a welded mesh with finite coordinates.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
     const TriangleMesh& mesh, const std::vector<char>& skip);

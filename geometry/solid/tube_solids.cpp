@@ -13,14 +13,28 @@
 namespace latticast {
 namespace {
 
-// How finely a solid must be cut so that it stays within the tolerance, now and when it is deformed.
+constexpr double most_triangles = 20e6;
+constexpr double fewest_steps_across = 16;
+
+// What is drawn, and between which radii it stands.
+struct Layer {
+  Pattern pattern;
+  double floor_mm = 0;
+  double ceiling_mm = 0;
+  double steepness = 0;  // of its walls (relief.h)
+  double thinnest_strand_mm = HUGE_VAL;
+};
+
+// How finely a solid must be cut so that it stays within the tolerance, now and when it is
+// deformed.
 struct Cutting {
   int columns = 0;
   std::vector<std::int32_t> heights;
 };
 
-// An edge of a twisted mesh turns by its own angle around the tube plus the twist over its height, and
-// no longer has corners pushed outwards: half of the permitted angle (sagitta r D^2/8) goes to each.
+// An edge of a twisted mesh turns by its own angle around the tube plus the twist over its height,
+// and no longer has corners pushed outwards: half of the permitted angle (sagitta r D^2/8) goes to
+// each.
 int columns_of(const Segment& segment, const SolidOptions& options) {
   const double radius = segment.outer_radius_mm();
   int columns = columns_for(radius, options.tolerance_mm);
@@ -47,35 +61,69 @@ Cutting cutting(const Segment& segment, const SolidOptions& options, const Plane
   return cut;
 }
 
-// The largest |sin| of the angle between a slanted outline and the circumference.
+// A helix is steepest at the smallest radius: its rise stays, its way around shrinks.
 double steepest_slant(const Segment& segment) {
+  const double shrunk = segment.liner_outer_radius_mm() / segment.lattice_mid_radius_mm();
   double steepest = 0;
-  if (!segment.lattice) return steepest;
   for (const Grid& grid : segment.lattice->grids) {
     if (grid.angle_deg == 90) continue;
-    steepest = std::max(steepest, std::sin(grid.angle_deg * std::numbers::pi / 180));
+    const double angle = grid.angle_deg * std::numbers::pi / 180;
+    const double rise = std::sin(angle);
+    steepest = std::max(steepest, rise / std::hypot(rise, shrunk * std::cos(angle)));
   }
   return steepest;
 }
 
-Solid wrap_pattern(const Segment& segment, const SolidOptions& options, Pattern pattern,
-                   double floor_mm, double ceiling_mm) {
-  const double mid_radius = pattern.circumference_mm / (2 * std::numbers::pi);
+double thinnest_strand_mm(const Lattice& lattice) {
+  double thinnest = lattice.rings ? lattice.rings->width_mm : HUGE_VAL;
+  for (const Grid& grid : lattice.grids) {
+    for (const double width : grid.widths_mm) thinnest = std::min(thinnest, width);
+  }
+  return thinnest;
+}
+
+void check_widths(const Layer& layer, const PlaneGrid& grid) {
+  const double least = fewest_steps_across * std::max(grid.u_step_mm, grid.z_step_mm);
+  if (layer.thinnest_strand_mm >= least) return;
+  throw GeometryError("a strand or ring of " + std::to_string(layer.thinnest_strand_mm) +
+                      " mm is too thin for the coordinates of a mesh file on a tube this large or "
+                      "this far along the actuator; here it needs at least " +
+                      std::to_string(least) + " mm");
+}
+
+void check_size(const Relief& relief) {
+  const double levels = static_cast<double>(relief.radii_mm.size()) - 1;
+  const double triangles = 2 * static_cast<double>(relief.plane.triangles.size()) +
+                           4 * levels * static_cast<double>(relief.plane.outline.size());
+  if (triangles <= most_triangles) return;
+  throw GeometryError("the mesh would have about " + std::to_string(std::llround(triangles / 1e6)) +
+                      " million triangles; the limit is " +
+                      std::to_string(std::llround(most_triangles / 1e6)) +
+                      " million: use a coarser tolerance or fewer strands");
+}
+
+Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer layer) {
+  const double circumference = layer.pattern.circumference_mm;
   const PlaneGrid grid =
-      make_plane_grid(pattern.circumference_mm, segment.length_mm, columns_of(segment, options));
+      make_plane_grid(circumference, segment.length_mm, columns_of(segment, options),
+                      finest_step_mm, options.start_z_mm);
+  check_widths(layer, grid);
   const Cutting cut = cutting(segment, options, grid);
-  const Region region = unite(std::move(pattern), grid, cut.heights, options.tolerance_mm);
+  const Region region = unite(std::move(layer.pattern), grid, cut.heights, options.tolerance_mm);
   const Relief relief{triangulate(region),
-                      wall_radii(floor_mm, ceiling_mm, grid.column_angle_rad(),
-                                 steepest_slant(segment), options.tolerance_mm),
+                      wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
+                                 layer.steepness, options.tolerance_mm),
                       options.start_z_mm};
+  check_size(relief);
   Solid solid;
   solid.mesh = wrap(relief);
-  const double layer = (ceiling_mm * ceiling_mm - floor_mm * floor_mm) / (2 * mid_radius);
+  const double height = layer.ceiling_mm - layer.floor_mm;
+  const double mid_radius = circumference / (2 * std::numbers::pi);
+  const double both_radii = layer.ceiling_mm + layer.floor_mm;
   const double area = area_mm2(region);
-  solid.volume_mm3 = area * layer;
+  solid.volume_mm3 = area * height * both_radii / (2 * mid_radius);
   // Floor and ceiling lie within the tolerance of their cylinders.
-  solid.volume_bound_mm3 = area / mid_radius * (ceiling_mm + floor_mm) * options.tolerance_mm;
+  solid.volume_bound_mm3 = area / mid_radius * both_radii * options.tolerance_mm;
   solid.pieces = pieces(relief.plane);
   solid.genus = outline_loops(region) - solid.pieces;
   return solid;
@@ -84,15 +132,17 @@ Solid wrap_pattern(const Segment& segment, const SolidOptions& options, Pattern 
 }  // namespace
 
 Solid lattice_solid(const Segment& segment, const SolidOptions& options) {
-  return wrap_pattern(segment, options, draw_lattice(segment), segment.liner_outer_radius_mm(),
-                      segment.outer_radius_mm());
+  return wrap_layer(
+      segment, options,
+      {draw_lattice(segment), segment.liner_outer_radius_mm(), segment.outer_radius_mm(),
+       steepest_slant(segment), thinnest_strand_mm(*segment.lattice)});
 }
 
 Solid liner_solid(const Segment& segment, const SolidOptions& options) {
   const double inner = segment.inner_radius_mm();
   const double outer = segment.liner_outer_radius_mm();
-  return wrap_pattern(segment, options, draw_sleeve(0.5 * (inner + outer), segment.length_mm), inner,
-                      outer);
+  return wrap_layer(segment, options,
+                    {draw_sleeve(0.5 * (inner + outer), segment.length_mm), inner, outer});
 }
 
 }  // namespace latticast

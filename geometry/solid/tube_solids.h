@@ -8,10 +8,11 @@
 namespace latticast {
 
 struct SolidOptions {
-  double tolerance_mm = 0.01;  ///< largest chord error
-  double start_z_mm = 0;       ///< where the segment begins along the actuator
-  double twist_rad_per_mm = 0; ///< largest twist that the mesh will be given later (preview)
-  double stretch_radius = 1;   ///< largest factor by which its outer radius will grow later (preview)
+  double tolerance_mm = 0.01;   ///< largest chord error
+  double start_z_mm = 0;        ///< where the segment begins along the actuator
+  double twist_rad_per_mm = 0;  ///< largest twist that the mesh will be given later (preview)
+  double stretch_radius =
+      1;  ///< largest factor by which its outer radius will grow later (preview)
 };
 
 /// A mesh with what the planar region says that it must be.

@@ -215,7 +215,8 @@ TEST(Openness, IsFullOnAnOpenFaceAndLessBesideAWall) {
     depth = 50;
   }
   const Point towards_the_eye{0, 0, -1};
-  EXPECT_DOUBLE_EQ(openness(layer, 100, 50, towards_the_eye, 20, 3), 1);
+  const Obscurance obscurance(20, 3);
+  EXPECT_DOUBLE_EQ(obscurance.openness(layer, 100, 50, towards_the_eye), 1);
   for (int row = 0; row < 100; ++row) {
     for (int column = 103; column < 200; ++column) {
       layer.depth[static_cast<std::size_t>(row) * 200 + column] = 40;
@@ -224,7 +225,7 @@ TEST(Openness, IsFullOnAnOpenFaceAndLessBesideAWall) {
   const auto mean = [&](int left) {
     double sum = 0;
     for (int i = 0; i < 9; ++i) {
-      sum += openness(layer, left + i % 3, 48 + i / 3, towards_the_eye, 20, 3) / 9;
+      sum += obscurance.openness(layer, left + i % 3, 48 + i / 3, towards_the_eye) / 9;
     }
     return sum;
   };

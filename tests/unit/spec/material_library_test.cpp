@@ -21,14 +21,36 @@ std::string all_of(const std::vector<Issue>& issues) {
   return all;
 }
 
-TEST(BuiltInMaterials, AreThoseOfTheDataFile) {
-  std::ifstream stream(LATTICAST_SOURCE_DIR "/spec/materials.toml");
+std::string text_of(const std::string& file) {
+  std::ifstream stream(LATTICAST_SOURCE_DIR "/" + file);
   std::stringstream text;
   text << stream.rdbuf();
+  return text.str();
+}
+
+TEST(BuiltInMaterials, AreThoseOfTheDataFile) {
   MaterialLibrary from_file;
-  EXPECT_EQ(all_of(add_materials(text.str(), from_file)), "");
+  EXPECT_EQ(all_of(add_materials(text_of("spec/materials.toml"), from_file)), "");
   ASSERT_EQ(from_file.size(), built_in_materials().size());
   for (const auto& [name, material] : from_file) EXPECT_TRUE(built_in_materials().count(name));
+}
+
+TEST(BuiltInMaterials, StandInTheDocumentationWithTheirConstants) {
+  std::stringstream page(text_of("docs/materials.md"));
+  std::map<std::string, std::string> rows;
+  for (std::string line; std::getline(page, line);) {
+    if (line.starts_with("| `")) rows[line.substr(3, line.find('`', 3) - 3)] = line;
+  }
+  for (const auto& [name, material] : built_in_materials()) {
+    ASSERT_TRUE(rows.count(name)) << name;
+    std::ostringstream constant;
+    if (const auto* linear = std::get_if<Linear>(&material.law)) {
+      constant << "E = " << linear->youngs_modulus_mpa << ", nu = " << linear->poisson_ratio;
+    } else {
+      constant << "mu = " << neo_hookean_mu(material);
+    }
+    EXPECT_NE(rows[name].find("| " + constant.str() + " |"), std::string::npos) << rows[name];
+  }
 }
 
 TEST(BuiltInMaterials, EachSaysWhereItComesFrom) {

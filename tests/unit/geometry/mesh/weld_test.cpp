@@ -2,6 +2,7 @@
 #include "geometry/mesh/weld.h"
 
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 #include <tuple>
@@ -10,6 +11,9 @@
 
 namespace latticast {
 namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// The same by an ordered map; no NaN.
 TriangleMesh weld_plainly(const TriangleMesh& mesh) {
@@ -72,7 +76,7 @@ TEST(Weld, NeighbouringFloatsStayApart) {
 
 TEST(Weld, NanEqualsNothingAndInfinityItself) {
   const TriangleMesh welded =
-      weld({{{NAN, 0, 0}, {NAN, 0, 0}, {INFINITY, 0, 0}, {INFINITY, 0, 0}, {-INFINITY, 0, 0}},
+      weld({{{nan, 0, 0}, {nan, 0, 0}, {infinity, 0, 0}, {infinity, 0, 0}, {-infinity, 0, 0}},
             {{0, 1, 3}}});
   EXPECT_EQ(welded.vertices.size(), 4U);
   EXPECT_EQ(welded.triangles[0], (Triangle{0, 1, 2}));
@@ -81,7 +85,7 @@ TEST(Weld, NanEqualsNothingAndInfinityItself) {
 
 TEST(Weld, ManyNanVerticesTakeLinearTime) {
   // In one chain of the hash table this would be 4e10 comparisons.
-  const TriangleMesh mesh{std::vector<Point>(300000, Point{0, NAN, 0}), {}};
+  const TriangleMesh mesh{std::vector<Point>(300000, Point{0, nan, 0}), {}};
   EXPECT_EQ(weld(mesh).vertices.size(), 300000U);
 }
 

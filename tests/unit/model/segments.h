@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Segments that several tests share.
+#pragma once
+
+#include <cmath>
+#include <initializer_list>
+#include <numbers>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "model/section.h"
+#include "spec/design.h"
+
+namespace latticast::testing {
+
+inline constexpr double pi = std::numbers::pi;
+inline constexpr double degree = pi / 180;
+
+/// A bare tube.
+inline Segment tube(double inner_mm, double outer_mm, const Law& law) {
+  Segment segment;
+  segment.length_mm = 85;
+  segment.liner.inner_radius_mm = inner_mm;
+  segment.liner.thickness_mm = outer_mm - inner_mm;
+  segment.liner.material.law = law;
+  return segment;
+}
+
+inline Grid grid(double angle_deg, int count, double width_mm) {
+  return {angle_deg, std::vector<double>(count, width_mm), std::nullopt};
+}
+
+/// MODEL.md section 3: liner 12-16, lattice 16-18, mu 0.08, E 19.46, 8 rings of 2 on 85 mm, and 8
+/// strips of width 2 for each angle.
+inline Segment paper_segment(std::initializer_list<double> angles_deg) {
+  Segment segment = tube(12, 16, NeoHookean{0.08});
+  Lattice lattice;
+  lattice.thickness_mm = 2;
+  lattice.material.law = Linear{19.46, 0.5};
+  lattice.rings = Rings{8, std::nullopt, 2};
+  for (const double angle : angles_deg) lattice.grids.push_back(grid(angle, 8, 2));
+  segment.lattice = lattice;
+  return segment;
+}
+
+inline ModelChoice with_joint(JointModel joint) {
+  ModelChoice model;
+  model.joint = joint;
+  return model;
+}
+
+/// Uniform and log-uniform numbers from one seeded stream, the same on every platform.
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+
+  double between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
+  }
+  double log_between(double low, double high) {
+    return std::exp(between(std::log(low), std::log(high)));
+  }
+  int integer(int low, int high) {  // both included
+    return low + static_cast<int>(between(0, 1) * (high - low + 1));
+  }
+  bool chance(double probability) { return between(0, 1) < probability; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+}  // namespace latticast::testing
