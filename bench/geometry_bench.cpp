@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Time of every stage from design file to audited mesh file, for the paper's lattice and for one of
 // about twenty times its size.
-#include <benchmark/benchmark.h>
-#include <sys/resource.h>
-
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
+
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
 
 #include "app/build_command.h"
 #include "geometry/mesh/weld.h"
@@ -85,8 +85,9 @@ void design_file_to_audited_stl(benchmark::State& state, const Size& size) {
                         << "\nliner = { inner_radius = 12, thickness = 4, material = "
                            "\"ecoflex-00-50\" }\n[segment.lattice]\nthickness = 2\nmaterial = "
                            "\"hei-cast-8400\"\nrings = { count = "
-                        << size.rings << ", width = 2 }\ngrid = [ { angle = 36, count = "
-                        << size.strips << ", width = 2 } ]\n[make]\nlattice = true\n";
+                        << size.rings
+                        << ", width = 2 }\ngrid = [ { angle = 36, count = " << size.strips
+                        << ", width = 2 } ]\n[make]\nlattice = true\n";
   std::FILE* nowhere = std::fopen("/dev/null", "w");
   const Console console(true, nowhere);
   for (auto run : state) {
