@@ -166,7 +166,7 @@ class ColumnSnapper {
   // Returns whether anything changed.
   bool run() {
     find_touches();
-    for (const auto& stops : splits_) is_touched_.push_back(!stops.empty());
+    for (const auto& stops : splits_) is_touched_.push_back(stops.empty() ? 0 : 1);
     find_crossings();
     const bool changed =
         std::any_of(splits_.begin(), splits_.end(), [](auto& s) { return !s.empty(); });
@@ -315,7 +315,7 @@ void snap_until_clean(Arrangement& plane) {
       if (!dirty[c]) continue;
       const int next = (c + 1) % count;
       Column& edges = plane.columns[c];
-      dirty[c] = ColumnSnapper(edges, lines[c], lines[next], width).run();
+      dirty[c] = ColumnSnapper(edges, lines[c], lines[next], width).run() ? 1 : 0;
       if (!dirty[c]) continue;
       merge_equal(edges);
       if (add_heights(edges, 0, lines[c])) dirty[(c + count - 1) % count] = 1;

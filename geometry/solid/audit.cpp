@@ -122,7 +122,7 @@ class Auditor {
 
   void check_triangles() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      degenerate_[t] = is_degenerate(mesh_, mesh_.triangles[t]);
+      degenerate_[t] = is_degenerate(mesh_, mesh_.triangles[t]) ? 1 : 0;
       if (degenerate_[t]) report(Defect::degenerate, middle(t), t);
     }
   }

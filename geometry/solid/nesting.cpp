@@ -83,6 +83,7 @@ int winding(const TriangleMesh& mesh, const std::vector<std::uint32_t>& body, co
 std::vector<int> surrounding_winding(const TriangleMesh& mesh,
                                      const std::vector<std::vector<std::uint32_t>>& bodies) {
   std::vector<Box> boxes;
+  boxes.reserve(bodies.size());
   for (const auto& body : bodies) boxes.push_back(box_of(mesh, body));
   std::vector<int> windings(bodies.size(), 0);
   for (std::size_t i = 0; i < bodies.size(); ++i) {

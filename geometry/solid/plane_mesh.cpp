@@ -152,8 +152,9 @@ class Builder {
     }
     raise_low_triangles(cells);
     for (const auto face : cells.all_face_handles()) face->info() = false;
-    for (const ColumnEdge& edge : bounds)
+    for (const ColumnEdge& edge : bounds) {
       fill_from(cells, handle_of(edge.from), handle_of(edge.to));
+    }
   }
 
   // A vertex lies at least one step from every edge that is not its own, but may lie far closer to

@@ -187,8 +187,9 @@ std::vector<LinePoint> line_points(const Region& region, int line) {
   const int before = (line + region.grid.columns - 1) % region.grid.columns;
   std::vector<LinePoint> points;  // the flags first say: does an outline edge end here?
   for (const RegionEdge& edge : region.columns[before]) {
-    if (edge.b.u == region.grid.column_steps)
+    if (edge.b.u == region.grid.column_steps) {
       points.push_back({edge.b.z, edge.is_outline(), false});
+    }
   }
   for (const RegionEdge& edge : region.columns[line]) {
     if (edge.a.u == 0) points.push_back({edge.a.z, false, edge.is_outline()});

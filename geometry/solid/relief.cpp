@@ -28,8 +28,9 @@ class Wrapper {
       const int around = line % grid_.columns;
       directions_.push_back({std::cos(around * angle), std::sin(around * angle)});
     }
-    for (const double radius : relief.radii_mm)
+    for (const double radius : relief.radii_mm) {
       corner_radii_.push_back(radius * corner_factor(angle));
+    }
   }
 
   TriangleMesh run() {
