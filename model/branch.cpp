@@ -252,10 +252,13 @@ CriticalPoint Branch::asymptote_here() const {
 /// root of the pressure that is left, which predicts far better than the tangent.
 bool Branch::land_before(const CriticalPoint& limit, double target) {
   const double left = (limit.x[n_] - target) / (limit.x[n_] - here_.x[n_]);
-  const Step step =
-      try_step(at_pressure(target, between(limit.x, here_.x, std::sqrt(left))), pressure_axis());
-  if (!step.accepted || step.state.negative_eigenvalues != here_.negative_eigenvalues) return false;
-  here_ = step.state;
+  const BranchPoint start = at_pressure(target, between(limit.x, here_.x, std::sqrt(left)));
+  const auto state = corrected(start, pressure_axis());
+  if (!state || state->negative_eigenvalues != here_.negative_eigenvalues ||
+      movement(state->x, start) > greatest_turning * movement(state->x, here_.x)) {
+    return false;
+  }
+  here_ = *state;
   return true;
 }
 
