@@ -10,6 +10,7 @@ enum class ExitStatus {
   invalid = 2,  ///< the command line or the design file is invalid, or asks for what is not there
   no_equilibrium = 3,  ///< at a requested pressure
   file_error = 4,      ///< a file could not be read or written
+  unexpected = 70,     ///< memory ran out, or the program is wrong; nothing was left half done
   interrupted = 130,   ///< stopped by a signal; nothing was left half done
 };
 

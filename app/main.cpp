@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command line: what is typed, which command runs, and what the exit status says.
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -182,5 +183,13 @@ int run_main(int argc, char** argv) {
 }  // namespace latticast
 
 int main(int argc, char** argv) {
-  return latticast::run_main(argc, argv);
+  try {
+    return latticast::run_main(argc, argv);
+  } catch (const std::exception& fault) {
+    // Not one of the errors that commands know: memory ran out, or the program is wrong.
+    std::fputs("error: unexpected: ", stderr);
+    std::fputs(fault.what(), stderr);
+    std::fputs("\n", stderr);
+    return static_cast<int>(latticast::ExitStatus::unexpected);
+  }
 }

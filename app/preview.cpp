@@ -66,6 +66,7 @@ TriangleMesh moved_mesh(const TriangleMesh& rest, const Shape& shape, std::size_
 Image preview_picture(const std::vector<PicturePart>& parts) {
   const double spacing = 2.7 * widest(parts);
   std::vector<PictureObject> objects;
+  objects.reserve(parts.size());
   for (const PicturePart& part : parts) {
     objects.push_back({part.mesh,
                        part.is_liner ? liner_colour : lattice_colour,
