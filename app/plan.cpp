@@ -84,12 +84,13 @@ bool has_horseshoe(const Design& design) {
   return false;
 }
 
+// A single strand is uneven around the tube as well.
 bool has_uneven_widths(const Design& design) {
   for (const Segment& segment : design.segments) {
     if (!segment.lattice) continue;
     for (const Grid& grid : segment.lattice->grids) {
       const auto [low, high] = std::minmax_element(grid.widths_mm.begin(), grid.widths_mm.end());
-      if (low != grid.widths_mm.end() && *low != *high) return true;
+      if (grid.count() == 1 || (grid.count() > 1 && *low != *high)) return true;
     }
   }
   return false;
@@ -124,7 +125,7 @@ void plan_prediction(const Design& design, Plan& plan) {
   add(Stage::prediction, true, "the preview shows the shape under pressure", "");
   add(Stage::horseshoe_law, has_horseshoe(design), "a strand is a horseshoe",
       "no strand is a horseshoe");
-  add(Stage::bending, has_uneven_widths(design), "strand widths differ around the tube",
+  add(Stage::bending, has_uneven_widths(design), "a family of strands is uneven around the tube",
       "every section is symmetric about its axis");
 }
 
@@ -182,19 +183,10 @@ std::vector<std::string> unavailable(const Plan& plan, const Design& design) {
                     "the other parts with --only",
                     name(stage)));
   }
-  if (plan.runs(Stage::preview) && plan.runs(Stage::horseshoe_law)) {
-    missing.emplace_back(
-        "the design has horseshoe strands, which this version can neither predict nor "
-        "draw yet: leave 'horseshoe' out of the grid to make its strands straight");
-  } else if (has_horseshoe(design)) {
+  if (has_horseshoe(design)) {
     missing.emplace_back(
         "the design has horseshoe strands, which this version cannot draw yet: leave "
         "'horseshoe' out of the grid to make its strands straight");
-  }
-  if (plan.runs(Stage::bending)) {
-    missing.emplace_back(
-        "strand widths differ around the tube, so it bends, which this version cannot "
-        "predict yet: give a family one width, or leave the preview out with --only");
   }
   for (const MeshFormat format : design.output.formats) {
     if (format == MeshFormat::stl || format == MeshFormat::obj) continue;

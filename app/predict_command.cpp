@@ -13,13 +13,12 @@
 namespace latticast {
 namespace {
 
-// Holding a bend needs nothing here: the sections that are predicted are symmetric about their
-// axis, so their bending angle and blocked moment are zero.
 Held held_coordinates(const std::vector<std::string>& names) {
   Held held;
   for (const std::string& name : names) {
     if (name == "twist") held.twist = true;
     if (name == "stretch") held.stretch = true;
+    if (name == "bend") held.bend = true;
   }
   return held;
 }
@@ -27,6 +26,9 @@ Held held_coordinates(const std::vector<std::string>& names) {
 void add_messages(const Prediction& prediction, const Console& console) {
   for (std::size_t s = 0; s < prediction.segments.size(); ++s) {
     const Response& response = prediction.segments[s].response;
+    for (const TurningPoint& point : response.turning_points) {
+      console.note(fmt::format("segment {}: {}", s + 1, point.name));
+    }
     if (response.message.empty()) continue;
     const std::string line = fmt::format("segment {}: {}", s + 1, response.message);
     response.status == Status::ok ? console.note(line) : console.error(line);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/prediction_output.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include <fmt/core.h>
@@ -13,6 +15,20 @@ constexpr double degrees = 180 / std::numbers::pi;
 
 double twist_deg(const State& state, const Segment& segment) {
   return state.twist_rad_per_mm * segment.length_mm * degrees;
+}
+
+double bend_deg(const State& state, const Segment& segment) {
+  return state.bend_magnitude_rad_per_mm() * segment.length_mm * degrees;
+}
+
+double moment_nmm(const State& state) {
+  return std::hypot(state.moment_nmm[0], state.moment_nmm[1]);
+}
+
+bool bends(const Response& response) {
+  return std::any_of(response.states.begin(), response.states.end(), [](const auto& state) {
+    return state && (state->bend_magnitude_rad_per_mm() > 0 || moment_nmm(*state) > 0);
+  });
 }
 
 // "1.30 .. 1.62": the same number at the two ends of the modulus band.
@@ -36,6 +52,11 @@ std::string table_row(const SegmentPrediction& result, std::size_t i, const Segm
   std::string row =
       fmt::format("{:9.2f} {:8.5f} {:9.3f} {:8.3f} {:8.3f}", state->pressure_kpa, state->stretch,
                   turn(*state), state->inner_radius_mm, state->outer_radius_mm);
+  if (bends(result.response)) {
+    row += fmt::format(" {:9.3f} {:7.2f}", bend_deg(*state, segment),
+                       state->bend_direction_rad() * degrees);
+    if (held.bend) row += fmt::format(" {:11.3f}", moment_nmm(*state));
+  }
   if (held.twist) row += fmt::format(" {:11.3f}", state->torque_nmm);
   if (held.stretch) row += fmt::format(" {:9.4f}", state->force_n);
   row += fmt::format("  {:<7} {:8.1e}", state->stable ? "yes" : "no", state->error_estimate);
@@ -51,12 +72,15 @@ nlohmann::ordered_json to_json(const State& state, const Segment& segment) {
           {"stretch", state.stretch},
           {"twist_deg", twist_deg(state, segment)},
           {"twist_per_length_rad_per_mm", state.twist_rad_per_mm / state.stretch},
-          {"bend_deg", 0.0},
-          {"bend_direction_deg", 0.0},
+          {"bend_deg", bend_deg(state, segment)},
+          {"bend_direction_deg", state.bend_direction_rad() * degrees},
+          {"kappa_rad_per_mm", state.bend_rad_per_mm},
+          {"frame_turn_rad_per_mm", state.frame_turn_rad_per_mm},
           {"inner_radius_mm", state.inner_radius_mm},
           {"outer_radius_mm", state.outer_radius_mm},
           {"torque_Nmm", state.torque_nmm},
-          {"moment_Nmm", 0.0},
+          {"moment_Nmm", moment_nmm(state)},
+          {"moment_vector_Nmm", state.moment_nmm},
           {"force_N", state.force_n},
           {"stable", state.stable},
           {"smallest_eigenvalue", state.smallest_eigenvalue},
@@ -96,6 +120,24 @@ nlohmann::ordered_json to_json(const SegmentPrediction& result, const Segment& s
                                     {"pressure_kPa", point.pressure_kpa},
                                     {"state", to_json(point.state, segment)}});
   }
+  json["turning_points"] = nlohmann::ordered_json::array();
+  for (const TurningPoint& point : result.response.turning_points) {
+    json["turning_points"].push_back({{"name", point.name},
+                                      {"pressure_kPa", point.pressure_kpa},
+                                      {"state", to_json(point.state, segment)}});
+  }
+  json["solved"] = result.response.solved;
+  json["horseshoe_laws"] = nlohmann::ordered_json::array();
+  for (const auto& law : result.response.laws) {
+    const HorseshoeShape& shape = law->shape();
+    json["horseshoe_laws"].push_back({{"radius_mm", shape.radius_mm},
+                                      {"arc_deg", shape.arc_rad * degrees},
+                                      {"width_mm", shape.width_mm},
+                                      {"thickness_mm", shape.thickness_mm},
+                                      {"youngs_modulus_MPa", shape.youngs_modulus_mpa},
+                                      {"strain_range", {law->range().lowest, law->range().highest}},
+                                      {"relative_force_error", law->accuracy().force_error}});
+  }
   json["states"] = states_to_json(result.response, segment);
   if (result.softest) json["softest_liner"] = states_to_json(*result.softest, segment);
   if (result.stiffest) json["stiffest_liner"] = states_to_json(*result.stiffest, segment);
@@ -113,6 +155,10 @@ std::string prediction_table(const Design& design, const Prediction& prediction,
                         segment.liner.material.name);
     text += fmt::format("{:>9} {:>8} {:>9} {:>8} {:>8}", "P kPa", "stretch", "twist deg", "r_i mm",
                         "r_o mm");
+    if (bends(result.response)) {
+      text += fmt::format(" {:>9} {:>7}", "bend deg", "toward");
+      if (held.bend) text += fmt::format(" {:>11}", "moment N mm");
+    }
     if (held.twist) text += fmt::format(" {:>11}", "torque N mm");
     if (held.stretch) text += fmt::format(" {:>9}", "force N");
     text += fmt::format("  {:<7} {:<8}", "stable", "error");
@@ -136,12 +182,13 @@ std::string prediction_csv(const Design& design, const Prediction& prediction, H
   for (std::size_t s = 0; s < prediction.segments.size(); ++s) {
     for (const std::optional<State>& state : prediction.segments[s].response.states) {
       if (!state) continue;
-      text +=
-          fmt::format("{},{},{},{},{},0,0,{},{},{},0,{},{},{},{:.1f}", s + 1, state->pressure_kpa,
-                      state->stretch, twist_deg(*state, design.segments[s]),
-                      state->twist_rad_per_mm / state->stretch, state->inner_radius_mm,
-                      state->outer_radius_mm, state->torque_nmm, state->stable ? 1 : 0,
-                      state->residual, state->error_estimate, state->time_us);
+      text += fmt::format(
+          "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.1f}", s + 1, state->pressure_kpa,
+          state->stretch, twist_deg(*state, design.segments[s]),
+          state->twist_rad_per_mm / state->stretch, bend_deg(*state, design.segments[s]),
+          state->bend_direction_rad() * degrees, state->inner_radius_mm, state->outer_radius_mm,
+          state->torque_nmm, moment_nmm(*state), state->stable ? 1 : 0, state->residual,
+          state->error_estimate, state->time_us);
       text += held.stretch ? fmt::format(",{}\n", state->force_n) : "\n";
     }
   }
@@ -151,7 +198,7 @@ std::string prediction_csv(const Design& design, const Prediction& prediction, H
 std::string prediction_json(const Design& design, const Prediction& prediction, Held held) {
   nlohmann::ordered_json json;
   json["design"] = design.name;
-  json["held"] = {{"twist", held.twist}, {"stretch", held.stretch}};
+  json["held"] = {{"twist", held.twist}, {"stretch", held.stretch}, {"bend", held.bend}};
   json["segments"] = nlohmann::ordered_json::array();
   for (std::size_t s = 0; s < prediction.segments.size(); ++s) {
     json["segments"].push_back(to_json(prediction.segments[s], design.segments[s]));

@@ -50,7 +50,9 @@ SolidOptions preview_options(const Design& design, std::size_t segment, double s
   SolidOptions options{design.output.tolerance_mm, start_z_mm, 0, 1};
   for (const PressureShape& at : shapes) {
     const State& state = at.states[segment];
-    options.twist_rad_per_mm = std::max(options.twist_rad_per_mm, std::abs(state.twist_rad_per_mm));
+    // Bending curves the walls too: the mesh is cut as for a twist that curves them as much.
+    options.twist_rad_per_mm =
+        std::max(options.twist_rad_per_mm, at.shape.curving_rad_per_mm(segment));
     options.stretch_radius = std::max(
         options.stretch_radius, state.outer_radius_mm / design.segments[segment].outer_radius_mm());
   }

@@ -11,6 +11,7 @@ namespace latticast {
 namespace {
 
 constexpr int most_points = 64;
+constexpr int first_around = 8;
 
 /// The next rule in line: what a rule is refined to, and what its error is measured with.
 int more_points(int points) {
@@ -29,23 +30,40 @@ int points_for(double from, double to) {
 
 }  // namespace
 
-Balance::Balance(const Section& section, Held held, int quadrature_points) : section_(section) {
-  free_.push_back(0);
-  if (held.stretch) free_.clear();
-  if (!held.twist) free_.push_back(1);
-  free_.push_back(2);
-  scale_ = {1, 1 / section.outer_radius_mm, section.inner_radius_mm};
+void Balance::sort_coordinates(Held held, bool all_unknowns) {
+  // The bore comes last: the branch looks for its closure there.
+  constexpr std::array<int, coordinate_count> order = {coordinate::elongation, coordinate::twist,
+                                                       coordinate::bend_1, coordinate::bend_2,
+                                                       coordinate::inner_growth};
+  const std::array<bool, coordinate_count> solved = {true, all_unknowns || section_.twists, true,
+                                                     all_unknowns || section_.bending_axes >= 1,
+                                                     all_unknowns || section_.bending_axes == 2};
+  const std::array<bool, coordinate_count> fixed = {held.stretch, held.twist, false, held.bend,
+                                                    held.bend};
+  for (const int i : order) {
+    if (solved[i]) active_.push_back(i);
+    if (solved[i] && !fixed[i]) free_.push_back(i);
+    if (!solved[i] && !fixed[i]) left_out_.push_back(i);
+  }
+}
+
+Balance::Balance(const Section& section, Held held, const SolverOptions& options)
+    : section_(section) {
+  sort_coordinates(held, options.all_unknowns);
+  const double outer = section.outer_radius_mm;
+  scale_ = {1, 1 / outer, section.inner_radius_mm, 1 / outer, 1 / outer};
   const double rubber_area = std::numbers::pi *
                              (section.isotropic_to_mm - section.isotropic_from_mm) *
                              (section.isotropic_to_mm + section.isotropic_from_mm);
   energy_ = section.shear_modulus_mpa * rubber_area;
 
-  points_fixed_ = quadrature_points > 0;
+  points_fixed_ = options.fixed_quadrature > 0;
   if (points_fixed_) {
-    set_points(quadrature_points, quadrature_points);
+    const int points = options.fixed_quadrature;
+    set_points(points, points, std::max(points, 4));
   } else {
     set_points(points_for(section.isotropic_from_mm, section.isotropic_to_mm),
-               points_for(section.anisotropic_from_mm, section.anisotropic_to_mm));
+               points_for(section.anisotropic_from_mm, section.anisotropic_to_mm), first_around);
   }
 
   const int n = free_count();
@@ -64,35 +82,58 @@ std::optional<BalanceAt> Balance::finer_at(std::span<const double> x) const {
 }
 
 bool Balance::refine() {
-  if (points_fixed_ || std::max(liner_points_, lattice_points_) >= most_points) return false;
+  if (points_fixed_ || std::max({liner_points_, lattice_points_, around_}) >= most_points) {
+    return false;
+  }
   set_points(std::min(more_points(liner_points_), most_points),
-             std::min(more_points(lattice_points_), most_points));
+             std::min(more_points(lattice_points_), most_points),
+             std::min(more_points(around_), most_points));
   return true;
 }
 
-void Balance::set_points(int liner, int lattice) {
+Quadrature Balance::quadrature(int liner, int lattice, int around) const {
+  const bool bends_any_way =
+      std::find(active_.begin(), active_.end(), coordinate::bend_2) != active_.end();
+  // As fine on a whole turn as `around` intervals on its half.
+  Quadrature result = make_quadrature(section_, liner, lattice, bends_any_way ? 2 * around : 1);
+  if (!bends_any_way) result.around = half_turn(around);
+  return result;
+}
+
+void Balance::set_points(int liner, int lattice, int around) {
   liner_points_ = liner;
   lattice_points_ = lattice;
-  quadrature_ = make_quadrature(section_, liner, lattice);
-  finer_ = make_quadrature(section_, more_points(liner), more_points(lattice));
+  around_ = around;
+  quadrature_ = quadrature(liner, lattice, around);
+  finer_ = quadrature(more_points(liner), more_points(lattice), more_points(around));
+  for_left_out_ = quadrature_;
+  if (section_.bending_axes > 0) return;
+  // Around a straight section second derivatives go with cos^2, whose mean one direction at 45
+  // degrees already has; two lesser ones keep directions apart where they differ.
+  if (section_.isotropic) {
+    for_left_out_.around = {{std::sqrt(0.5), std::sqrt(0.5), 1}};
+    for_left_out_.average_strands = true;
+  } else {
+    for_left_out_.around = half_turn(2);
+  }
 }
 
 Deformation Balance::deformation(std::span<const double> x) const {
-  std::array<double, 3> q{};
+  std::array<double, coordinate_count> q{};
   for (std::size_t i = 0; i < free_.size(); ++i) q[free_[i]] = x[i] * scale_[free_[i]];
-  return {q[0], q[1], q[2]};
+  return {q[0], q[1], q[2], q[3], q[4]};
 }
 
 std::optional<BalanceAt> Balance::evaluate(std::span<const double> x,
                                            const Quadrature& quadrature) const {
   const Deformation q = deformation(x);
-  const std::optional<SectionEnergy> stored = stored_energy(section_, quadrature, q);
+  const std::optional<SectionEnergy> stored = stored_energy(section_, quadrature, q, active_);
   if (!stored) return std::nullopt;
   const SectionEnergy cavity = cavity_growth(section_, q);
   const double pressure = pressure_mpa(x);
 
   BalanceAt result;
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < coordinate_count; ++i) {
     result.reaction[i] = stored->gradient[i] - pressure * cavity.gradient[i];
   }
   const std::size_t n = free_.size();
@@ -110,6 +151,38 @@ std::optional<BalanceAt> Balance::evaluate(std::span<const double> x,
       result.push_slope[column * n + row] = cavity_second * scale * pressure_mpa_;
     }
   }
+  return result;
+}
+
+LeftOut Balance::left_out(std::span<const double> x) const {
+  LeftOut result;
+  if (left_out_.empty()) return result;
+  std::vector<int> asked = left_out_;
+  // One direction stands for both where they are alike.
+  const bool alike =
+      section_.isotropic && section_.bending_axes == 0 && asked.back() == coordinate::bend_2;
+  if (alike) asked.pop_back();
+  const auto stored = stored_energy(section_, for_left_out_, deformation(x), asked);
+  if (!stored) return result;
+  const auto n = static_cast<Eigen::Index>(asked.size());
+  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
+  Small stiffness(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < n; ++j) {
+      // The cavity does not grow by twisting or bending: pressure has no part in this.
+      const bool coupled = i == j || !alike;
+      stiffness(i, j) = coupled ? stored->second(asked[i], asked[j]) * scale_[asked[i]] *
+                                      scale_[asked[j]] / energy_
+                                : 0;
+    }
+  }
+  if (n == 1) {
+    result.eigenvalues[result.count++] = stiffness(0, 0);
+  } else {
+    const Eigen::SelfAdjointEigenSolver<Small> eigen(stiffness, Eigen::EigenvaluesOnly);
+    for (const double value : eigen.eigenvalues()) result.eigenvalues[result.count++] = value;
+  }
+  if (alike) result.eigenvalues[result.count++] = stiffness(n - 1, n - 1);
   return result;
 }
 

@@ -10,9 +10,9 @@
 namespace latticast {
 namespace {
 
-// No heap: a section has at most three free coordinates and the pressure.
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 4, 4>;
-using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4, 1>;
+// No heap: a section has at most five free coordinates and the pressure.
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
 using Eigen::Map;
 
 constexpr int most_iterations = 12;
@@ -21,6 +21,8 @@ constexpr double smallest_reach = 1e-10;
 constexpr double path_accuracy = 1e-7;
 constexpr double endless_growth = 1e3;          // of a scaled coordinate, whose order is 1
 constexpr double bifurcation_accuracy = 1e-12;  // of its pressure, relative
+constexpr double turning_accuracy = 1e-11;      // of an angle's rate, against its change
+constexpr double least_angle = 1e-9;            // scaled, above rounding
 constexpr double closed_bore = -0.999;          // a/R_i - 1, always the last free coordinate
 constexpr double wanted_turning = 0.08;    // correction against step that a step is chosen for ...
 constexpr double greatest_turning = 0.15;  // ... and beyond which it does not count
@@ -28,28 +30,21 @@ constexpr double least_slope = 1e-12;      // of pressure along the branch, abov
 constexpr double least_alignment = 0.95;   // cosine between successive tangents
 
 double dot(const BranchPoint& a, const BranchPoint& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
 }
 
 double distance(const BranchPoint& a, const BranchPoint& b) {
-  return std::hypot(std::hypot(a[0] - b[0], a[1] - b[1]), std::hypot(a[2] - b[2], a[3] - b[3]));
+  BranchPoint apart{};
+  for (std::size_t i = 0; i < a.size(); ++i) apart[i] = a[i] - b[i];
+  return std::sqrt(dot(apart, apart));
 }
 
 BranchPoint between(const BranchPoint& a, const BranchPoint& b, double fraction) {
   BranchPoint x{};
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = a[i] + fraction * (b[i] - a[i]);
   return x;
-}
-
-void examine_stability(BranchState& state, int n) {
-  const Map<const Eigen::MatrixXd> stiffness(state.balance.stiffness.data(), n, n);
-  const Eigen::SelfAdjointEigenSolver<Matrix> eigen(stiffness, Eigen::EigenvaluesOnly);
-  const auto& values = eigen.eigenvalues();
-  Eigen::Index nearest = 0;
-  values.cwiseAbs().minCoeff(&nearest);
-  state.smallest_eigenvalue = values[0];
-  state.nearest_eigenvalue = values[nearest];
-  state.negative_eigenvalues = static_cast<int>((values.array() < 0).count());
 }
 
 /// Derivatives of the imbalance by coordinates and pressure, closed by a plane's normal: regular
@@ -94,7 +89,7 @@ bool may_turn_between(const BranchState& a, const BranchState& b, int n) {
 }  // namespace
 
 Branch::Branch(const Section& section, Held held, const SolverOptions& options)
-    : balance_(section, held, options.fixed_quadrature),
+    : balance_(section, held, options),
       options_(options),
       n_(balance_.free_count()),
       newton_(n_ + 1) {
@@ -104,10 +99,33 @@ Branch::Branch(const Section& section, Held held, const SolverOptions& options)
 void Branch::restart() {
   here_ = {};
   here_.balance = *balance_.at(here_.x);
-  examine_stability(here_, n_);
+  examine_stability(here_);
   here_.tangent = tangent_at(here_.balance, pressure_axis(), n_);
   reach_ = first_reach;
   critical_points_.clear();
+  turning_points_.clear();
+}
+
+void Branch::examine_stability(BranchState& state) const {
+  const Matrix stiffness = Map<const Eigen::MatrixXd>(state.balance.stiffness.data(), n_, n_);
+  Vector values = Vector::Zero(n_);
+  values = stiffness.selfadjointView<Eigen::Lower>().eigenvalues();
+  state.smallest_eigenvalue = state.nearest_eigenvalue = values[0];
+  state.negative_eigenvalues = 0;
+  for (int i = 0; i < n_; ++i) {
+    if (std::abs(values[i]) < std::abs(state.nearest_eigenvalue)) {
+      state.nearest_eigenvalue = values[i];
+    }
+    if (values[i] < 0) ++state.negative_eigenvalues;
+  }
+  state.nearest_solved_eigenvalue = state.nearest_eigenvalue;
+  const LeftOut left_out = balance_.left_out(state.x);
+  for (int i = 0; i < left_out.count; ++i) {
+    const double value = left_out.eigenvalues[i];
+    state.smallest_eigenvalue = std::min(state.smallest_eigenvalue, value);
+    if (std::abs(value) < std::abs(state.nearest_eigenvalue)) state.nearest_eigenvalue = value;
+    if (value < 0) ++state.negative_eigenvalues;
+  }
 }
 
 BranchPoint Branch::pressure_axis() const {
@@ -146,7 +164,7 @@ std::optional<BranchState> Branch::corrected(const BranchPoint& start, const Bra
       newton_.solve(std::span<double>(state.x).first(n_ + 1), system, most_iterations);
   iterations_ += newton_.iterations();
   if (!solved) return std::nullopt;
-  examine_stability(state, n_);
+  examine_stability(state);
   state.tangent = tangent_at(state.balance, here_.tangent, n_);
   return state;
 }
@@ -194,6 +212,8 @@ Reached Branch::follow_to(double target, double sign) {
       continue;
     }
     if (step.state.tangent[n_] * sign <= 0) {
+      // So far out the slope of the pressure is below rounding.
+      if (largest_growth() > 0.1 * endless_growth) return end_at(asymptote_here());
       const auto limit = limit_point_before(step.state);
       if (limit && !beyond_target(limit->x[n_])) return end_at(*limit);
       if (limit && land_before(*limit, target)) return finish_landing();
@@ -207,6 +227,7 @@ Reached Branch::follow_to(double target, double sign) {
       continue;
     }
     if (step.state.x[n_ - 1] < closed_bore) return note_closure(step.state);
+    note_turning_points_before(step.state);
     here_ = step.state;
     const double next = length * std::clamp(change, 0.5, 4.0);
     reach_ = landing ? std::max(reach_, next) : next;
@@ -266,8 +287,8 @@ bool Branch::land_before(const CriticalPoint& limit, double target) {
 /// length there, which gives the guess.
 std::optional<CriticalPoint> Branch::limit_point_before(const BranchState& beyond) {
   if (!limit_newton_) limit_newton_.emplace(limit_point_unknowns(balance_));
-  const double before = std::abs(here_.nearest_eigenvalue);
-  const double fraction = before / (before + std::abs(beyond.nearest_eigenvalue));
+  const double before = std::abs(here_.nearest_solved_eigenvalue);
+  const double fraction = before / (before + std::abs(beyond.nearest_solved_eigenvalue));
   BranchPoint guess = between(here_.x, beyond.x, fraction);
   const double step = distance(here_.x, beyond.x);
   while (true) {
@@ -307,6 +328,61 @@ std::optional<CriticalPoint> Branch::bifurcation_before(const BranchState& beyon
     (before ? at_low : at_high) = std::abs(middle->nearest_eigenvalue) * (before ? 1 : -1);
     const int now = before ? 1 : -1;
     if (now == side) (before ? at_high : at_low) *= 0.5;
+    side = now;
+  }
+  return std::nullopt;
+}
+
+/// Half the slope of |kappa|^2 or k^2 (scaled) along the branch, by kappa or k: signed where there
+/// is one component.
+double Branch::turning_rate(const BranchState& state, bool of_bending) const {
+  double magnitude = 0;
+  double rate = 0;
+  const std::vector<int>& free = balance_.free_coordinates();
+  for (int i = 0; i < n_; ++i) {
+    const bool bend = free[i] == coordinate::bend_1 || free[i] == coordinate::bend_2;
+    if (of_bending ? !bend : free[i] != coordinate::twist) continue;
+    rate += state.x[i] * state.tangent[i];
+    magnitude += state.x[i] * state.x[i];
+  }
+  return magnitude > least_angle * least_angle ? rate / std::sqrt(magnitude) : 0;
+}
+
+void Branch::note_turning_points_before(const BranchState& beyond) {
+  for (const bool of_bending : {true, false}) {
+    if (turning_rate(here_, of_bending) * turning_rate(beyond, of_bending) >= 0) continue;
+    const auto found = turning_point_before(beyond, of_bending);
+    if (found) turning_points_.push_back(*found);
+  }
+}
+
+/// The pressure at which an angle turns back while the branch goes on, by the same secant method.
+/// An angle that passes through zero is not a turning point: its rate jumps there.
+std::optional<TurningState> Branch::turning_point_before(const BranchState& beyond,
+                                                         bool of_bending) {
+  BranchPoint low = here_.x;
+  BranchPoint high = beyond.x;
+  double at_low = turning_rate(here_, of_bending);
+  double at_high = turning_rate(beyond, of_bending);
+  const double sense = at_low > 0 ? 1 : -1;
+  const double size = std::abs(at_low - at_high);
+  int side = 0;
+  for (int i = 0; i < 60; ++i) {
+    const double fraction = std::clamp(at_low / (at_low - at_high), 1e-3, 1 - 1e-3);
+    const auto middle = corrected(between(low, high, fraction), pressure_axis());
+    if (!middle) return std::nullopt;
+    const double rate = turning_rate(*middle, of_bending);
+    if (rate == 0) return std::nullopt;
+    const double width = std::abs((high[n_] - low[n_]) / middle->x[n_]);
+    if (std::abs(rate) < turning_accuracy * size) {
+      return TurningState{of_bending, sense > 0, middle->x, middle->balance,
+                          std::min(width, std::abs(rate) / size)};
+    }
+    if (width < 1e-14) return std::nullopt;
+    const int now = rate * sense > 0 ? 1 : -1;
+    (now > 0 ? low : high) = middle->x;
+    (now > 0 ? at_low : at_high) = rate;
+    if (now == side) (now > 0 ? at_high : at_low) *= 0.5;
     side = now;
   }
   return std::nullopt;

@@ -16,10 +16,11 @@ struct BranchState {
   BranchPoint x{};
   BalanceAt balance;
   BranchPoint tangent{};           ///< unit vector along the branch, in the direction of travel
-  double smallest_eigenvalue = 0;  ///< of the scaled stiffness
+  double smallest_eigenvalue = 0;  ///< of the scaled stiffness of all free coordinates
   int negative_eigenvalues = 0;
-  double nearest_eigenvalue = 0;  ///< the one nearest to zero
-  double error_estimate = 0;      ///< set where a requested pressure was landed on
+  double nearest_eigenvalue = 0;         ///< the one nearest to zero
+  double nearest_solved_eigenvalue = 0;  ///< the same, among the coordinates solved for
+  double error_estimate = 0;             ///< set where a requested pressure was landed on
 };
 
 enum class Reached { target, end, lost };
@@ -46,6 +47,9 @@ class Branch {
   /// Critical points met since restart(), in that order; all but a bifurcation end the branch.
   const std::vector<CriticalPoint>& critical_points() const { return critical_points_; }
 
+  /// Turning points of bending and twist met since restart(), in that order.
+  const std::vector<TurningState>& turning_points() const { return turning_points_; }
+
   /// Newton iterations since construction.
   int iterations() const { return iterations_; }
 
@@ -71,6 +75,10 @@ class Branch {
   std::optional<CriticalPoint> limit_point_before(const BranchState& beyond);
   std::optional<CriticalPoint> bifurcation_before(const BranchState& beyond);
   bool note_bifurcation_before(const BranchState& beyond);
+  double turning_rate(const BranchState& state, bool of_bending) const;
+  void note_turning_points_before(const BranchState& beyond);
+  std::optional<TurningState> turning_point_before(const BranchState& beyond, bool of_bending);
+  void examine_stability(BranchState& state) const;
   Reached note_closure(const BranchState& beyond);
   bool refine_here();
   double error_here() const;
@@ -85,6 +93,7 @@ class Branch {
   BranchState here_;
   double reach_ = 0;  // arc length that the next step may try
   std::vector<CriticalPoint> critical_points_;
+  std::vector<TurningState> turning_points_;
   int iterations_ = 0;
 };
 

@@ -35,6 +35,12 @@ struct Dual {
     return hessian[row * (2 * N - row - 1) / 2 + column];
   }
 
+  constexpr void set_second(std::size_t i, std::size_t j, double value_ij) {
+    const std::size_t row = i < j ? i : j;
+    const std::size_t column = i < j ? j : i;
+    hessian[row * (2 * N - row - 1) / 2 + column] = value_ij;
+  }
+
   constexpr Dual& operator+=(const Dual& other) {
     value += other.value;
     for (std::size_t i = 0; i < N; ++i) gradient[i] += other.gradient[i];

@@ -73,10 +73,12 @@ class HorseshoeLaw {
   double energy_unit_nmm_;  // that times the rest chord
 };
 
+/// Laws built once, to be reused wherever their shapes occur.
+using HorseshoeLaws = std::vector<std::shared_ptr<const HorseshoeLaw>>;
+
 /// The laws of `shapes` over their widest ranges, in that order. Each distinct shape is solved once
 /// and its law shared; distinct ones are solved side by side on up to `threads` threads (0: as many
 /// as the machine has). Throws as the constructor does, after all threads have come back.
-std::vector<std::shared_ptr<const HorseshoeLaw>> horseshoe_laws(
-    std::span<const HorseshoeShape> shapes, int threads = 0);
+HorseshoeLaws horseshoe_laws(std::span<const HorseshoeShape> shapes, int threads = 0);
 
 }  // namespace latticast

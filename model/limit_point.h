@@ -18,6 +18,15 @@ struct CriticalPoint {
   int iterations = 0;         ///< Newton iterations spent on it
 };
 
+/// Where the bending or the twist is largest or smallest as pressure rises, the branch going on.
+struct TurningState {
+  bool of_bending = false;
+  bool largest = true;
+  BranchPoint x{};
+  BalanceAt balance;
+  double pressure_error = 0;  ///< estimated, relative to the pressure
+};
+
 /// Size of the system that `locate_limit_point` solves, for its NewtonSolver.
 inline int limit_point_unknowns(const Balance& balance) {
   return 2 * balance.free_count() + 1;

@@ -10,17 +10,13 @@
 #include <stdexcept>
 
 #include "model/branch.h"
+#include "model/rods_response.h"
+#include "model/turning_name.h"
 
 namespace latticast {
 namespace {
 
 constexpr double kpa_per_mpa = 1000;
-
-std::string pressure_text(double pressure_kpa) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g kPa", pressure_kpa);
-  return text;
-}
 
 /// What a point of the branch says, without its error, effort and stability.
 State state_at(const Balance& balance, const BranchPoint& x, const BalanceAt& at, Held held) {
@@ -33,8 +29,19 @@ State state_at(const Balance& balance, const BranchPoint& x, const BalanceAt& at
   state.twist_rad_per_mm = q.twist;
   state.inner_radius_mm = section.inner_radius_mm + q.inner_growth;
   state.outer_radius_mm = current_radius_mm(section.inner_radius_mm, section.outer_radius_mm, q);
-  if (held.stretch) state.force_n = at.reaction[0];
-  if (held.twist) state.torque_nmm = at.reaction[1];
+  const auto in_material = [&](double along_1, double along_2) {
+    const double cosine = std::cos(section.axis_rad);
+    const double sine = std::sin(section.axis_rad);
+    return std::array{cosine * along_1 - sine * along_2, sine * along_1 + cosine * along_2};
+  };
+  state.bend_rad_per_mm = in_material(q.bend_1, q.bend_2);
+  state.frame_turn_rad_per_mm = section.frame_turn_rad_per_mm;
+  if (held.stretch) state.force_n = at.reaction[coordinate::elongation];
+  if (held.twist) state.torque_nmm = at.reaction[coordinate::twist];
+  if (held.bend) {
+    state.moment_nmm =
+        in_material(at.reaction[coordinate::bend_1], at.reaction[coordinate::bend_2]);
+  }
   const double bore = std::numbers::pi * section.inner_radius_mm * section.inner_radius_mm;
   const double unit = 1 + std::abs(pressure) * bore / balance.energy_unit();
   for (const double imbalance : at.imbalance) {
@@ -64,6 +71,15 @@ std::string reason_of_loss(const Balance& balance, const BranchState& here) {
   if (stretch_limit_used(section, q) > 0.99) {
     return ": the liner's rubber has come to its stretch limit (Gent), where its stress is "
            "unbounded";
+  }
+  const auto horseshoe = most_strained_horseshoe(section, q);
+  if (horseshoe && (horseshoe->strain > 0.95 * horseshoe->range.highest ||
+                    horseshoe->strain < 0.95 * horseshoe->range.lowest)) {
+    char text[120];
+    std::snprintf(text, sizeof text,
+                  ": a horseshoe strand is strained by %.3g, its law ends at %.3g and %.3g",
+                  horseshoe->strain, horseshoe->range.lowest, horseshoe->range.highest);
+    return text;
   }
   if (std::abs(here.nearest_eigenvalue) < 0.01) {
     return ": the section is on the verge of instability there";
@@ -96,8 +112,15 @@ std::vector<std::size_t> requests_of_sign(std::span<const double> pressures_kpa,
 
 class Prediction {
  public:
-  Prediction(const Section& section, Held held, const SolverOptions& options)
-      : branch_(section, held, options), held_(held) {}
+  Prediction(const Section& section, double length_mm, Held held, const SolverOptions& options)
+      : branch_(section, held, options), held_(held), length_mm_(length_mm) {}
+
+  void report_solved(Response& response) const {
+    constexpr std::array names = {"stretch", "twist", "radius", "bend-1", "bend-2"};
+    for (const int i : branch_.balance().free_coordinates()) {
+      response.solved.emplace_back(names[i]);
+    }
+  }
 
   void follow(std::span<const double> pressures_kpa, bool suction, Response& response) {
     branch_.restart();
@@ -113,6 +136,7 @@ class Prediction {
       }
     }
     report_critical_points(response);
+    report_turning_points(response);
   }
 
  private:
@@ -148,6 +172,19 @@ class Prediction {
     }
   }
 
+  void report_turning_points(Response& response) const {
+    for (const TurningState& at : branch_.turning_points()) {
+      TurningPoint point;
+      point.quantity = at.of_bending ? TurningQuantity::bend : TurningQuantity::twist;
+      point.largest = at.largest;
+      point.state = state_at(branch_.balance(), at.x, at.balance, held_);
+      point.state.error_estimate = at.pressure_error;
+      point.pressure_kpa = point.state.pressure_kpa;
+      point.name = turning_name(point, length_mm_);
+      response.turning_points.push_back(std::move(point));
+    }
+  }
+
   static void append(std::string& message, const std::string& sentence) {
     message += message.empty() ? sentence : "; " + sentence;
   }
@@ -155,22 +192,65 @@ class Prediction {
   Clock::time_point since_ = Clock::now();  // first: the first state pays for setting up
   Branch branch_;
   Held held_;
+  double length_mm_;
   int iterations_before_ = 0;
 };
 
 }  // namespace
 
-Response predict(const Segment& segment, const ModelChoice& model,
-                 std::span<const double> pressures_kpa, Held held, const SolverOptions& options) {
+double State::bend_magnitude_rad_per_mm() const {
+  return std::hypot(bend_rad_per_mm[0], bend_rad_per_mm[1]);
+}
+
+double State::bend_direction_rad() const {
+  if (bend_rad_per_mm[0] == 0 && bend_rad_per_mm[1] == 0) return 0;
+  const double angle = std::atan2(-bend_rad_per_mm[1], -bend_rad_per_mm[0]);
+  const double turned = angle < 0 ? angle + 2 * std::numbers::pi : angle;
+  return turned < 2 * std::numbers::pi ? turned : 0;
+}
+
+Deformation State::deformation(double rest_inner_radius_mm, double axis_rad) const {
+  const double cosine = std::cos(axis_rad);
+  const double sine = std::sin(axis_rad);
+  return {stretch - 1, twist_rad_per_mm, inner_radius_mm - rest_inner_radius_mm,
+          cosine * bend_rad_per_mm[0] + sine * bend_rad_per_mm[1],
+          cosine * bend_rad_per_mm[1] - sine * bend_rad_per_mm[0]};
+}
+
+PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model,
+                                const HorseshoeLaws& known) {
+  if (model.columns == ColumnModel::rods) {
+    return {segment.length_mm, prepare_rods(segment, known)};
+  }
+  return {segment.length_mm, prepare_section(segment, model, known)};
+}
+
+HorseshoeLaws laws_of(const PreparedSegment& segment) {
+  return std::visit([](const auto& section) { return laws_of(section); }, segment.section);
+}
+
+Response predict(const PreparedSegment& segment, std::span<const double> pressures_kpa, Held held,
+                 const SolverOptions& options) {
   for (const double pressure : pressures_kpa) {
     if (!std::isfinite(pressure)) throw std::invalid_argument("a pressure is not a finite number");
   }
   Response response;
   response.states.resize(pressures_kpa.size());
-  Prediction prediction(prepare_section(segment, model), held, options);
+  response.laws = laws_of(segment);
+  if (const auto* rods = std::get_if<Rods>(&segment.section)) {
+    predict_rods(*rods, segment.length_mm, pressures_kpa, held, response);
+    return response;
+  }
+  Prediction prediction(std::get<Section>(segment.section), segment.length_mm, held, options);
+  prediction.report_solved(response);
   prediction.follow(pressures_kpa, false, response);
   prediction.follow(pressures_kpa, true, response);
   return response;
+}
+
+Response predict(const Segment& segment, const ModelChoice& model,
+                 std::span<const double> pressures_kpa, Held held, const SolverOptions& options) {
+  return predict(prepare_segment(segment, model), pressures_kpa, held, options);
 }
 
 }  // namespace latticast

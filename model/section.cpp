@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <string>
 #include <variant>
 
 #include "geometry/pattern/rings.h"
 #include "model/gauss.h"
+#include "model/horseshoe_strands.h"
 
 namespace latticast {
 namespace {
@@ -19,23 +21,6 @@ constexpr double mixture_lattice = 0.09;
 
 std::string grid_name(std::size_t index) {
   return "grid " + std::to_string(index);
-}
-
-double rest_shear_modulus(const Law& law) {
-  if (const auto* rubber = std::get_if<NeoHookean>(&law)) return rubber->shear_modulus_mpa;
-  if (const auto* rubber = std::get_if<Yeoh>(&law)) return 2 * rubber->c1_mpa;
-  if (const auto* rubber = std::get_if<Gent>(&law)) return rubber->shear_modulus_mpa;
-  throw UnsupportedDesign(
-      "the liner has a linear law, which only the effective-rods model uses; straight grids need a "
-      "rubber (neo-hookean, yeoh or gent)");
-}
-
-double youngs_modulus(const Lattice& lattice) {
-  if (const auto* linear = std::get_if<Linear>(&lattice.material.law)) {
-    return linear->youngs_modulus_mpa;
-  }
-  throw UnsupportedDesign(
-      "the lattice material is a rubber; strands need a linear material (E, nu)");
 }
 
 /// Rings as they exist on the segment: how much of the layer they fill, and their pitch.
@@ -69,38 +54,62 @@ double joint_modulus(double modulus_mpa, double width_mm, double sine, const Rin
   return paper * shortening * shortening * shortening;
 }
 
-void refuse_uncovered(const Grid& grid, std::size_t index) {
+bool is_even(const Grid& grid) {
+  return grid.count() >= 2 &&
+         std::equal(grid.widths_mm.begin() + 1, grid.widths_mm.end(), grid.widths_mm.begin());
+}
+
+void refuse_in_mixture(const Grid& grid, std::size_t index) {
   if (grid.horseshoe) {
     throw UnsupportedDesign(grid_name(index) +
-                            " has horseshoe strands, whose response is not predicted yet");
+                            " has horseshoe strands, which the mixture wall cannot tell from "
+                            "straight ones; use kind = \"layered\"");
   }
   const auto [thin, wide] = std::minmax_element(grid.widths_mm.begin(), grid.widths_mm.end());
   if (*thin != *wide) {
     throw UnsupportedDesign(grid_name(index) +
-                            " has strands of unequal width; such a section bends, and bending is "
-                            "not predicted yet");
+                            " has strands of unequal width, so the section bends, but the mixture "
+                            "wall counts no strips; use kind = \"layered\"");
   }
 }
 
-StrandFamily strand_family(const Segment& segment, std::size_t index, const RingLayout& rings,
-                           const ModelChoice& model) {
+struct Layer {
+  const Segment& segment;
+  const ModelChoice& model;
+  RingLayout rings;
+  HorseshoeLaws laws;
+};
+
+StrandFamily strand_family(const Layer& layer, std::size_t index) {
+  const Segment& segment = layer.segment;
   const Grid& grid = segment.lattice->grids[index];
-  refuse_uncovered(grid, index);
-  const double modulus = youngs_modulus(*segment.lattice);
+  const bool layered = layer.model.wall == WallKind::layered;
+  if (!layered) refuse_in_mixture(grid, index);
+  const double modulus = strand_modulus_mpa(*segment.lattice);
   // Measured from the axis, mirrored angles have exactly mirrored directions: a symmetric lattice
   // is symmetric to the last bit, and does not twist.
   const double from_axis = (90 - grid.angle_deg) * pi / 180;
-  StrandFamily family{std::sin(from_axis), std::cos(from_axis), 0, 0};
-  const bool layered = model.wall == WallKind::layered;
+  StrandFamily family;
+  family.cosine = std::sin(from_axis);
+  family.sine = std::cos(from_axis);
   const double around = 2 * pi * segment.lattice_mid_radius_mm() * family.sine;
   double filled = 0;
   for (const double width : grid.widths_mm) {
-    // The mixture counts no strips: a family as a whole carries c2, whatever its number of strands.
-    const double fraction = layered ? width / around : mixture_lattice / grid.count();
-    filled += fraction;
-    family.stretch_modulus_mpa += fraction * modulus;
-    family.joint_modulus_mpa +=
-        fraction * joint_modulus(modulus, width, family.sine, rings, model.joint);
+    StrandPlace strand;
+    if (grid.horseshoe) {
+      strand.law = law_of(layer.laws, horseshoe_shape(segment, grid, width));
+      family.arcs_per_mm = 1 / (rest_chord_mm(strand.law->shape()) * family.sine);
+    } else {
+      // The mixture counts no strips: a family as a whole carries c2, whatever its strands.
+      const double fraction = layered ? width / around : mixture_lattice / grid.count();
+      filled += fraction;
+      strand.stretch_modulus_mpa = fraction * modulus;
+      strand.joint_modulus_mpa =
+          fraction * joint_modulus(modulus, width, family.sine, layer.rings, layer.model.joint);
+      family.stretch_modulus_mpa += strand.stretch_modulus_mpa;
+      family.joint_modulus_mpa += strand.joint_modulus_mpa;
+    }
+    family.strands.push_back(std::move(strand));
   }
   if (layered && filled > 1) {
     throw UnsupportedDesign("the strands of " + grid_name(index) + " overlap: they would fill " +
@@ -109,7 +118,133 @@ StrandFamily strand_family(const Segment& segment, std::size_t index, const Ring
   return family;
 }
 
-void add_lattice(const Segment& segment, const ModelChoice& model, Section& section) {
+/// A grid that exists, with what decides on the section's symmetry.
+struct Winding {
+  std::size_t index = 0;  // among the grids
+  const Grid* grid = nullptr;
+  bool even = true;
+  double turn = 0;  // cot(alpha)/R_c, rad/mm
+};
+
+std::vector<Winding> windings(const Segment& segment, const ModelChoice& model,
+                              const std::vector<StrandFamily>& families) {
+  std::vector<Winding> result;
+  for (std::size_t i = 0; i < segment.lattice->grids.size(); ++i) {
+    const Grid& grid = segment.lattice->grids[i];
+    if (grid.count() == 0) continue;
+    const StrandFamily& family = families[result.size()];
+    const bool even = model.wall == WallKind::mixture || is_even(grid);
+    const double turn = family.cosine / (family.sine * segment.lattice_mid_radius_mm());
+    result.push_back({i, &grid, even, turn});
+  }
+  return result;
+}
+
+bool same_turn(double a, double b) {
+  return std::abs(a - b) <= 1e-12 * (std::abs(a) + std::abs(b));
+}
+
+/// The one turn of all uneven families; without any, that of the first pair of strands, whose
+/// stiffness differs between directions.
+double frame_turn(const std::vector<Winding>& all) {
+  const Winding* first = nullptr;
+  for (const Winding& winding : all) {
+    if (winding.even) continue;
+    if (first == nullptr) first = &winding;
+    if (!same_turn(winding.turn, first->turn)) {
+      throw UnsupportedDesign(
+          grid_name(first->index) + " and " + grid_name(winding.index) +
+          " are both uneven around the tube and wind at different rates (" +
+          std::to_string(first->turn) + " and " + std::to_string(winding.turn) +
+          " rad/mm), so the section changes along the tube; make one of them even");
+    }
+  }
+  if (first != nullptr) return first->turn;
+  for (const Winding& winding : all) {
+    if (winding.grid->count() == 2) return winding.turn;
+  }
+  return 0;
+}
+
+/// Whether widths are mirrored by the plane through Theta = pi place/count.
+bool mirrored(const Grid& grid, int place) {
+  const int n = grid.count();
+  for (int j = 0; j < n; ++j) {
+    if (grid.widths_mm[j] != grid.widths_mm[((place - j) % n + n) % n]) return false;
+  }
+  return true;
+}
+
+/// Half-steps of the first uneven family's spacing at which a mirror plane of all uneven families
+/// lies. Planes and their opposites are one, so `count` places suffice.
+std::optional<double> mirror_axis(const std::vector<Winding>& all) {
+  std::vector<const Grid*> uneven;
+  for (const Winding& winding : all) {
+    if (!winding.even) uneven.push_back(winding.grid);
+  }
+  if (uneven.empty()) return std::nullopt;
+  const int n = uneven.front()->count();
+  for (int place = 0; place < n; ++place) {
+    const bool all_mirrored = std::all_of(uneven.begin(), uneven.end(), [&](const Grid* grid) {
+      return place * grid->count() % n == 0 && mirrored(*grid, place * grid->count() / n);
+    });
+    if (all_mirrored) return pi * place / n;
+  }
+  return std::nullopt;
+}
+
+bool are_supplementary(const StrandFamily& a, const StrandFamily& b) {
+  const auto same_strand = [](const StrandPlace& x, const StrandPlace& y) {
+    return x.stretch_modulus_mpa == y.stretch_modulus_mpa &&
+           x.joint_modulus_mpa == y.joint_modulus_mpa && x.law == y.law;
+  };
+  return a.cosine == -b.cosine && a.sine == b.sine && a.arcs_per_mm == b.arcs_per_mm &&
+         std::equal(a.strands.begin(), a.strands.end(), b.strands.begin(), b.strands.end(),
+                    same_strand);
+}
+
+/// Whether tilted families do not all come in mirrored pairs.
+bool has_handedness(const std::vector<StrandFamily>& families) {
+  std::vector<const StrandFamily*> open;
+  for (const StrandFamily& family : families) {
+    if (family.cosine == 0) continue;
+    const auto partner = std::find_if(open.begin(), open.end(), [&](const StrandFamily* other) {
+      return are_supplementary(family, *other);
+    });
+    partner == open.end() ? open.push_back(&family) : void(open.erase(partner));
+  }
+  return !open.empty();
+}
+
+/// Decides on the frame and on the unknowns that symmetry leaves, and puts strands at their places.
+void settle_symmetry(const Segment& segment, const ModelChoice& model, Section& section) {
+  const std::vector<Winding> all = windings(segment, model, section.families);
+  section.frame_turn_rad_per_mm = frame_turn(all);
+  const bool bends = std::any_of(all.begin(), all.end(), [](const Winding& w) { return !w.even; });
+  bool unpaired = false;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    section.families[i].averaged = !same_turn(all[i].turn, section.frame_turn_rad_per_mm);
+    if (!all[i].even && section.families[i].cosine != 0) unpaired = true;
+  }
+  section.twists = unpaired || has_handedness(section.families);
+  const std::optional<double> axis = mirror_axis(all);
+  // Without the plane's mirror image of every tilted family there is no mirror plane.
+  section.bending_axes = !bends ? 0 : (axis && !section.twists ? 1 : 2);
+  section.axis_rad = section.bending_axes == 1 ? *axis : 0;
+  section.isotropic = std::none_of(
+      all.begin(), all.end(), [](const Winding& w) { return !w.even || w.grid->count() == 2; });
+  for (StrandFamily& family : section.families) {
+    const auto n = static_cast<double>(family.strands.size());
+    for (std::size_t j = 0; j < family.strands.size(); ++j) {
+      const double angle = 2 * pi * static_cast<double>(j) / n - section.axis_rad;
+      family.strands[j].cosine = std::cos(angle);
+      family.strands[j].sine = std::sin(angle);
+    }
+  }
+}
+
+void add_lattice(const Segment& segment, const ModelChoice& model, const HorseshoeLaws& known,
+                 Section& section) {
   const bool mixture = model.wall == WallKind::mixture;
   if (mixture) {
     section.isotropic_fraction = mixture_rubber;
@@ -119,133 +254,13 @@ void add_lattice(const Segment& segment, const ModelChoice& model, Section& sect
   section.anisotropic_to_mm = section.outer_radius_mm;
   const RingLayout rings = ring_layout(segment);
   const double share = mixture && rings.pitch_mm > 0 ? mixture_lattice : rings.fraction;
-  section.ring_modulus_mpa = share * youngs_modulus(*segment.lattice);
+  section.ring_modulus_mpa = share * strand_modulus_mpa(*segment.lattice);
+  const Layer layer{segment, model, rings, mixture ? HorseshoeLaws{} : build_laws(segment, known)};
   for (std::size_t i = 0; i < segment.lattice->grids.size(); ++i) {
     if (segment.lattice->grids[i].count() == 0) continue;
-    section.families.push_back(strand_family(segment, i, rings, model));
+    section.families.push_back(strand_family(layer, i));
   }
-}
-
-/// Stretch measures that all energies share, free of differences of nearly equal numbers.
-template <class Number>
-struct Kinematics {
-  Number axial;        ///< lambda^2 - 1
-  Number axial_ratio;  ///< 1 - 1/lambda
-  Number inner;        ///< a^2 - R_i^2
-  Number elongation;
-  Number twist;
-  double inner_radius;
-
-  /// (r/R)^2 - 1 at reference radius R.
-  Number hoop(double radius) const {
-    const double outside = (radius - inner_radius) * (radius + inner_radius);
-    return (inner - outside * axial_ratio) * (1 / (radius * radius));
-  }
-};
-
-template <class Number>
-Kinematics<Number> kinematics(const Section& section, const Number& elongation, const Number& twist,
-                              const Number& inner_growth) {
-  return {elongation * (elongation + 2.0),
-          elongation / (elongation + 1.0),
-          inner_growth * (inner_growth + 2 * section.inner_radius_mm),
-          elongation,
-          twist,
-          section.inner_radius_mm};
-}
-
-/// I1 - 3 = b + c + 1/(b c) - 3 + (k r)^2 with b = 1 + hoop, c = 1 + axial, brought to a form whose
-/// every term is of second order in the strains.
-template <class Number>
-Number first_invariant_minus_3(const Kinematics<Number>& q, double radius) {
-  const Number x = q.hoop(radius);
-  const Number& y = q.axial;
-  const Number xy = x * y;
-  const Number sum = x + y;
-  const Number shear = q.twist * radius;
-  return (sum * sum - xy + sum * xy) / (sum + xy + 1.0) + shear * shear * (x + 1.0);
-}
-
-template <class Number>
-Number energy_density(const NeoHookean& law, const Number& j) {
-  return j * (0.5 * law.shear_modulus_mpa);
-}
-
-template <class Number>
-Number energy_density(const Yeoh& law, const Number& j) {
-  return j * (j * (j * law.c3_mpa + law.c2_mpa) + law.c1_mpa);
-}
-
-template <class Number>
-Number energy_density(const Gent& law, const Number& j) {
-  return log1p(j * (-1 / law.limit_jm)) * (-0.5 * law.shear_modulus_mpa * law.limit_jm);
-}
-
-template <class Number>
-Number energy_density(const Linear&, const Number&) {
-  return Number(0);  // prepare_section lets no such liner through
-}
-
-/// The liner law decides once, outside the loop over points.
-template <class Number>
-Number liner_energy(const Section& section, const Quadrature& quadrature,
-                    const Kinematics<Number>& q) {
-  return std::visit(
-      [&](const auto& law) {
-        Number sum(0);
-        for (const auto& [radius, weight] : quadrature.liner) {
-          sum += energy_density(law, first_invariant_minus_3(q, radius)) *
-                 (weight * section.isotropic_fraction);
-        }
-        return sum;
-      },
-      section.liner_law);
-}
-
-/// E/2 (s - 1)^2 + k/2 theta_t^2 of one family. With A = (c, s) around and along the tube,
-/// F A = (r/R) (c + k R s) e_theta + lambda s e_z.
-template <class Number>
-Number strand_energy_density(const StrandFamily& family, const Kinematics<Number>& q,
-                             const Number& x, const Number& hoop_stretch_minus_1, double radius) {
-  const double c = family.cosine;
-  const double s = family.sine;
-  const Number shear = q.twist * (radius * s);
-  const Number around = shear + c;
-  const Number square_minus_1 = x * square(around) + shear * (shear + 2 * c) + q.axial * (s * s);
-  const Number strain = square_minus_1 / (sqrt(square_minus_1 + 1.0) + 1.0);
-  Number energy = square(strain) * (0.5 * family.stretch_modulus_mpa);
-  if (family.joint_modulus_mpa > 0) {
-    const Number hoop_stretch = hoop_stretch_minus_1 + 1.0;
-    const Number cross = ((q.elongation - hoop_stretch_minus_1) * c - hoop_stretch * shear) * s;
-    const Number dot = hoop_stretch * around * c + (q.elongation + 1.0) * (s * s);
-    energy += square(atan2(cross, dot)) * (0.5 * family.joint_modulus_mpa);
-  }
-  return energy;
-}
-
-template <class Number>
-Number lattice_energy(const Section& section, const Quadrature& quadrature,
-                      const Kinematics<Number>& q) {
-  Number sum(0);
-  for (const auto& [radius, weight] : quadrature.lattice) {
-    const Number x = q.hoop(radius);
-    const Number hoop_stretch_minus_1 = x / (sqrt(x + 1.0) + 1.0);
-    Number density = square(hoop_stretch_minus_1) * (0.5 * section.ring_modulus_mpa);
-    for (const StrandFamily& family : section.families) {
-      density += strand_energy_density(family, q, x, hoop_stretch_minus_1, radius);
-    }
-    sum += density * weight;
-  }
-  return sum;
-}
-
-bool possible(const Section& section, const Deformation& at) {
-  if (!std::isfinite(at.elongation) || !std::isfinite(at.twist) ||
-      !std::isfinite(at.inner_growth)) {
-    return false;
-  }
-  if (!(at.elongation > -1) || !(at.inner_growth > -section.inner_radius_mm)) return false;
-  return stretch_limit_used(section, at) < 1;
+  settle_symmetry(segment, model, section);
 }
 
 std::vector<QuadraturePoint> points_between(double from, double to, int count) {
@@ -259,9 +274,19 @@ std::vector<QuadraturePoint> points_between(double from, double to, int count) {
   return points;
 }
 
+std::vector<Direction> whole_turn(int count) {
+  std::vector<Direction> directions(count);
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * pi * i / count;
+    directions[i] = {std::cos(angle), std::sin(angle), 1.0 / count};
+  }
+  return directions;
+}
+
 }  // namespace
 
-Section prepare_section(const Segment& segment, const ModelChoice& model) {
+Section prepare_section(const Segment& segment, const ModelChoice& model,
+                        const HorseshoeLaws& known) {
   Section section;
   section.inner_radius_mm = segment.inner_radius_mm();
   section.liner_outer_radius_mm = segment.liner_outer_radius_mm();
@@ -271,47 +296,38 @@ Section prepare_section(const Segment& segment, const ModelChoice& model) {
   section.anisotropic_from_mm = section.anisotropic_to_mm = section.liner_outer_radius_mm;
   section.liner_law = segment.liner.material.law;
   section.shear_modulus_mpa = rest_shear_modulus(section.liner_law);
-  if (segment.lattice) add_lattice(segment, model, section);
+  section.isotropic = true;
+  if (segment.lattice) add_lattice(segment, model, known, section);
   return section;
 }
 
-Quadrature make_quadrature(const Section& section, int liner_points, int lattice_points) {
+HorseshoeLaws laws_of(const Section& section) {
+  HorseshoeLaws laws;
+  for (const StrandFamily& family : section.families) {
+    for (const StrandPlace& strand : family.strands) {
+      if (strand.law && std::find(laws.begin(), laws.end(), strand.law) == laws.end()) {
+        laws.push_back(strand.law);
+      }
+    }
+  }
+  return laws;
+}
+
+Quadrature make_quadrature(const Section& section, int liner_points, int lattice_points,
+                           int around) {
   return {points_between(section.isotropic_from_mm, section.isotropic_to_mm, liner_points),
-          points_between(section.anisotropic_from_mm, section.anisotropic_to_mm, lattice_points)};
+          points_between(section.anisotropic_from_mm, section.anisotropic_to_mm, lattice_points),
+          whole_turn(around)};
 }
 
-std::optional<SectionEnergy> stored_energy(const Section& section, const Quadrature& quadrature,
-                                           const Deformation& at) {
-  if (!possible(section, at)) return std::nullopt;
-  const auto q =
-      kinematics(section, SectionEnergy::variable(0, at.elongation),
-                 SectionEnergy::variable(1, at.twist), SectionEnergy::variable(2, at.inner_growth));
-  return liner_energy(section, quadrature, q) + lattice_energy(section, quadrature, q);
-}
-
-SectionEnergy cavity_growth(const Section& section, const Deformation& at) {
-  const auto elongation = SectionEnergy::variable(0, at.elongation);
-  const auto growth = SectionEnergy::variable(2, at.inner_growth);
-  const double radius = section.inner_radius_mm;
-  const SectionEnergy inner = growth * (growth + 2 * radius);
-  return (inner * (elongation + 1.0) + elongation * (radius * radius)) * pi;
-}
-
-double stretch_limit_used(const Section& section, const Deformation& at) {
-  const auto* gent = std::get_if<Gent>(&section.liner_law);
-  if (gent == nullptr) return 0;
-  const auto q = kinematics<double>(section, at.elongation, at.twist, at.inner_growth);
-  return std::max(first_invariant_minus_3(q, section.isotropic_from_mm),
-                  first_invariant_minus_3(q, section.isotropic_to_mm)) /
-         gent->limit_jm;
-}
-
-double current_radius_mm(double inner_radius_mm, double reference_radius_mm,
-                         const Deformation& at) {
-  const double inner = inner_radius_mm + at.inner_growth;
-  const double outside =
-      (reference_radius_mm - inner_radius_mm) * (reference_radius_mm + inner_radius_mm);
-  return std::sqrt(inner * inner + outside / (1 + at.elongation));
+std::vector<Direction> half_turn(int intervals) {
+  std::vector<Direction> directions(intervals + 1);
+  for (int i = 0; i <= intervals; ++i) {
+    const double angle = pi * i / intervals;
+    const bool at_end = i == 0 || i == intervals;
+    directions[i] = {std::cos(angle), std::sin(angle), (at_end ? 0.5 : 1.0) / intervals};
+  }
+  return directions;
 }
 
 }  // namespace latticast

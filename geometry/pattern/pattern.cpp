@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/pattern/pattern.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <string>
 
+#include "geometry/pattern/horseshoe_path.h"
 #include "geometry/pattern/rings.h"
-#include "spec/unsupported_design.h"
 
 namespace latticast {
 namespace {
@@ -36,26 +39,58 @@ void draw_rings(const Lattice& lattice, Pattern& pattern) {
   }
 }
 
-void draw_grid(const Grid& grid, Pattern& pattern) {
-  if (grid.horseshoe) {
-    throw UnsupportedDesign(
-        "horseshoe strands cannot be drawn yet: leave 'horseshoe' out of the grid at " +
-        std::to_string(grid.angle_deg) + " degrees to draw it straight");
-  }
+HorseshoeColumn column_of(const Grid& grid, int strand, const Pattern& pattern) {
+  return {*grid.horseshoe, strand * pattern.circumference_mm / grid.count(), grid.angle_deg,
+          grid.widths_mm[strand], pattern.length_mm};
+}
+
+// Problems of the family numbered `family`, each distinct strand named once.
+void add_problems(const Grid& grid, std::size_t family, const Pattern& pattern, std::string& text) {
   const double spacing = pattern.circumference_mm / grid.count();
+  std::map<std::pair<double, double>, bool> seen;
   for (int i = 0; i < grid.count(); ++i) {
-    pattern.strands.push_back(
-        straight_strip(i * spacing, grid.angle_deg, grid.widths_mm[i], pattern.length_mm));
+    const double next_width = grid.widths_mm[(i + 1) % grid.count()];
+    if (!seen.emplace(std::pair(grid.widths_mm[i], next_width), true).second) continue;
+    const HorseshoeColumn column = column_of(grid, i, pattern);
+    const auto add = [&](const std::string& problem) {
+      text += fmt::format("grid {}, strand {} (at {:.1f} degrees around the tube): {}\n", family + 1,
+                          i + 1, 360.0 * i / grid.count(), problem);
+    };
+    for (const std::string& problem : drawing_problems(column)) add(problem);
+    const double clearance = clearance_mm(column, spacing, next_width);
+    if (clearance <= 0) {
+      add(fmt::format("overlaps the next strand by {:.3g} mm; {} strands, or widths smaller by that much, leave a gap",
+                      -clearance, most_columns(column, pattern.circumference_mm, next_width)));
+    }
+  }
+}
+
+void draw_grid(const Grid& grid, double flatness, Pattern& pattern) {
+  for (int i = 0; i < grid.count(); ++i) {
+    if (grid.horseshoe) {
+      const std::vector<Strand> arcs = draw_horseshoe(column_of(grid, i, pattern), flatness);
+      pattern.strands.insert(pattern.strands.end(), arcs.begin(), arcs.end());
+    } else {
+      const double start = i * pattern.circumference_mm / grid.count();
+      pattern.strands.push_back(
+          straight_strip(start, grid.angle_deg, grid.widths_mm[i], pattern.length_mm));
+    }
   }
 }
 
 }  // namespace
 
-Pattern draw_lattice(const Segment& segment) {
+Pattern draw_lattice(const Segment& segment, double flatness_mm) {
   const double circumference = 2 * std::numbers::pi * segment.lattice_mid_radius_mm();
   Pattern pattern{circumference, segment.length_mm, {}};
+  const std::vector<Grid>& grids = segment.lattice->grids;
+  std::string problems;
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    if (grids[i].horseshoe) add_problems(grids[i], i, pattern, problems);
+  }
+  if (!problems.empty()) throw CannotDraw("the lattice cannot be drawn:\n" + problems);
   draw_rings(*segment.lattice, pattern);
-  for (const Grid& grid : segment.lattice->grids) draw_grid(grid, pattern);
+  for (const Grid& grid : grids) draw_grid(grid, flatness_mm, pattern);
   return pattern;
 }
 

@@ -4,6 +4,7 @@
 // periods.
 #pragma once
 
+#include <stdexcept>
 #include <vector>
 
 #include "spec/design.h"
@@ -29,11 +30,18 @@ struct Pattern {
   std::vector<Strand> strands;
 };
 
-/// Draws the rings and straight strips of a lattice. Strips keep their width square to themselves
-/// at R_c and are cut level at both ends (MODEL.md section 3); strip 0 of every family starts at u
-/// = 0. Precondition: a validated segment with a lattice. Throws UnsupportedDesign for horseshoe
-/// strands.
-Pattern draw_lattice(const Segment& segment);
+/// The design's strands cannot be drawn as asked; what() lists every reason with its place and the
+/// nearest value that works.
+struct CannotDraw : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Draws the rings and strands of a lattice. Strands keep their width square to themselves at R_c and
+/// are cut level at both ends (MODEL.md section 3); strand 0 of every family starts at u = 0. Arcs of
+/// horseshoe columns become chords within `flatness_mm` of the circle.
+/// Precondition: a validated segment with a lattice. Throws CannotDraw for horseshoe columns that do
+/// not close on the segment's length, fold over themselves or overlap their neighbours.
+Pattern draw_lattice(const Segment& segment, double flatness_mm);
 
 /// Draws a closed sleeve: the whole plane, as one strand, at the given radius.
 Pattern draw_sleeve(double radius_mm, double length_mm);

@@ -45,7 +45,7 @@ Lattice random_lattice(Random& random, const Segment& segment, double modulus) {
   const int families = random.integer(0, 3);
   for (int i = 0; i < families; ++i) {
     const double angle = random.between(0.5, 179.5);
-    const int count = random.integer(1, 20);
+    const int count = std::max(2, random.integer(1, 20));  // a single strand would bend
     const double room = 2 * pi * (middle + 0.5 * lattice.thickness_mm) * std::sin(angle * degree);
     lattice.grids.push_back(grid(angle, count, room / count * random.between(0.02, 0.9)));
   }
@@ -109,7 +109,8 @@ Vector solve(Matrix a, Vector b) {
 double missing_step(const Example& example, const State& state) {
   const Section section = prepare_section(example.segment, example.model);
   const Deformation q = state.deformation(section.inner_radius_mm);
-  const auto energy = stored_energy(section, make_quadrature(section, 64, 64), q);
+  const auto energy =
+      stored_energy(section, make_quadrature(section, 64, 64), q, std::array{0, 1, 2});
   if (!energy) return std::numeric_limits<double>::infinity();
   const SectionEnergy cavity = cavity_growth(section, q);
   const Vector scale = {1, 1 / section.outer_radius_mm, section.inner_radius_mm};

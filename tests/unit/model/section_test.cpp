@@ -323,14 +323,22 @@ std::string refusal(const Segment& segment, const ModelChoice& model = {}) {
   return "";
 }
 
-TEST(Section, LaterStagesAreRefusedByName) {
+TEST(Section, WhatCannotBePredictedIsRefusedByName) {
+  ModelChoice mixture;
+  mixture.wall = WallKind::mixture;
   Segment horseshoe = paper_segment({36, 90});
   horseshoe.lattice->grids[1].horseshoe = Horseshoe{2.6, 180, true};
-  EXPECT_NE(refusal(horseshoe).find("grid 1 has horseshoe strands"), std::string::npos);
+  EXPECT_EQ(refusal(horseshoe), "");
+  EXPECT_NE(refusal(horseshoe, mixture).find("grid 1 has horseshoe strands"), std::string::npos);
+  horseshoe.lattice->grids[1].horseshoe->arc_deg = 5;
+  EXPECT_NE(refusal(horseshoe).find("cannot be predicted"), std::string::npos);
 
-  Segment graded = paper_segment({36});
+  Segment graded = paper_segment({36, 60});
   graded.lattice->grids[0].widths_mm[3] = 2.5;
-  EXPECT_NE(refusal(graded).find("bends"), std::string::npos);
+  EXPECT_EQ(refusal(graded), "");
+  EXPECT_NE(refusal(graded, mixture).find("bends"), std::string::npos);
+  graded.lattice->grids[1].widths_mm[3] = 2.5;
+  EXPECT_NE(refusal(graded).find("wind at different rates"), std::string::npos);
 
   EXPECT_NE(refusal(tube(12, 16, Linear{0.082, 0.499})).find("linear law"), std::string::npos);
 

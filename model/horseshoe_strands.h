@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The horseshoe laws of a segment's strands, and the moduli that its materials enter with.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "model/horseshoe_law.h"
+#include "spec/design.h"
+#include "spec/unsupported_design.h"
+
+namespace latticast {
+
+/// Shear modulus at rest in MPa of a rubber. Throws UnsupportedDesign for a linear law.
+double rest_shear_modulus(const Law& law);
+
+/// E of the lattice in MPa. Throws UnsupportedDesign when its material is not linear.
+double strand_modulus_mpa(const Lattice& lattice);
+
+/// One strand's arc. Precondition: the grid has horseshoes.
+HorseshoeShape horseshoe_shape(const Segment& segment, const Grid& grid, double width_mm);
+
+/// `known` laws and those that the segment's strands need besides, built side by side. Throws
+/// UnsupportedDesign for a shape outside of the law's scope. Precondition: there is a lattice.
+HorseshoeLaws build_laws(const Segment& segment, const HorseshoeLaws& known);
+
+/// The law of a shape. Precondition: it is among them.
+std::shared_ptr<const HorseshoeLaw> law_of(const HorseshoeLaws& laws, const HorseshoeShape& shape);
+
+}  // namespace latticast

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/tip_force.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Dense>
+
+namespace latticast {
+namespace {
+
+constexpr int steps = 64;
+constexpr int most_iterations = 30;
+constexpr double difference = 1e-6;
+
+/// Stretch and bending of a section in the plane of bending under pressure, pull and moment.
+class PlanarSection {
+ public:
+  PlanarSection(const PreparedSegment& segment, const State& free, double pressure_mpa)
+      : segment_(segment), pressure_mpa_(pressure_mpa) {
+    if (const auto* section = std::get_if<Section>(&segment.section)) {
+      at_ = free.deformation(section->inner_radius_mm, section->axis_rad);
+      quadrature_ = make_quadrature(*section, 8, 6, 1);
+      quadrature_.around = half_turn(12);
+    } else {
+      at_ = {free.stretch - 1, 0, 0, free.bend_rad_per_mm[1], 0};
+    }
+  }
+
+  double bend() const { return at_.bend_1; }
+  double stretch() const { return 1 + at_.elongation; }
+
+  /// Moves to the equilibrium under these loads, from the one before.
+  bool load(double force_n, double moment_nmm) {
+    if (const auto* rods = std::get_if<Rods>(&segment_.section)) {
+      const auto found = rods_equilibrium(*rods, {pressure_mpa_, force_n, moment_nmm});
+      if (!found) return false;
+      at_.elongation = found->elongation;
+      at_.bend_1 = found->bend_rad_per_mm;
+      return true;
+    }
+    return load_section(std::get<Section>(segment_.section), force_n, moment_nmm);
+  }
+
+ private:
+  bool load_section(const Section& section, double force_n, double moment_nmm) {
+    constexpr std::array<int, 3> active = {coordinate::elongation, coordinate::bend_1,
+                                           coordinate::inner_growth};
+    const Eigen::Vector3d scale(1, 1 / section.outer_radius_mm, section.inner_radius_mm);
+    const Eigen::Vector3d loads(force_n, moment_nmm, 0);
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+      const auto stored = stored_energy(section, quadrature_, at_, active);
+      if (!stored) return false;
+      const SectionEnergy cavity = cavity_growth(section, at_);
+      Eigen::Vector3d imbalance;
+      Eigen::Matrix3d stiffness;
+      for (int i = 0; i < 3; ++i) {
+        const int a = active[i];
+        imbalance[i] =
+            scale[i] * (stored->gradient[a] - pressure_mpa_ * cavity.gradient[a] - loads[i]);
+        for (int j = 0; j < 3; ++j) {
+          const int b = active[j];
+          stiffness(i, j) =
+              scale[i] * scale[j] * (stored->second(a, b) - pressure_mpa_ * cavity.second(a, b));
+        }
+      }
+      const Eigen::Vector3d step = scale.cwiseProduct(stiffness.ldlt().solve(-imbalance));
+      at_.elongation += step[0];
+      at_.bend_1 += step[1];
+      at_.inner_growth += step[2];
+      if (step.cwiseQuotient(scale).cwiseAbs().maxCoeff() < 1e-11) return true;
+    }
+    return false;
+  }
+
+  const PreparedSegment& segment_;
+  double pressure_mpa_;
+  Deformation at_;
+  Quadrature quadrature_;
+};
+
+/// Seen from the tip: angle of the tangent, and how far the tip is ahead along and across.
+using Place = std::array<double, 3>;
+
+std::optional<Place> slope(PlanarSection& section, const Place& place, double force_n) {
+  const double sine = std::sin(place[0]);
+  if (!section.load(force_n * sine, -force_n * place[1])) return std::nullopt;
+  return Place{section.bend(), section.stretch() * std::cos(place[0]), section.stretch() * sine};
+}
+
+Place moved(const Place& from, const Place& slope, double by) {
+  return {from[0] + by * slope[0], from[1] + by * slope[1], from[2] + by * slope[2]};
+}
+
+/// The base, for a tip of given angle under a given force.
+std::optional<Place> base(PlanarSection section, double length_mm, double tip_angle,
+                          double force_n) {
+  const double h = length_mm / steps;
+  Place place = {tip_angle, 0, 0};
+  for (int i = 0; i < steps; ++i) {
+    const auto a = slope(section, place, force_n);
+    if (!a) return std::nullopt;
+    const auto b = slope(section, moved(place, *a, h / 2), force_n);
+    if (!b) return std::nullopt;
+    const auto c = slope(section, moved(place, *b, h / 2), force_n);
+    if (!c) return std::nullopt;
+    const auto d = slope(section, moved(place, *c, h), force_n);
+    if (!d) return std::nullopt;
+    for (int j = 0; j < 3; ++j) {
+      place[j] += h / 6 * ((*a)[j] + 2 * (*b)[j] + 2 * (*c)[j] + (*d)[j]);
+    }
+  }
+  return place;
+}
+
+void refuse_unless_planar(const PreparedSegment& segment) {
+  const auto* section = std::get_if<Section>(&segment.section);
+  if (section != nullptr && (section->twists || section->bending_axes == 2)) {
+    throw UnsupportedDesign(
+        "the tip force is known for segments that bend in one plane: axial columns whose widths "
+        "have a mirror plane");
+  }
+}
+
+}  // namespace
+
+std::optional<TipForce> blocked_tip_force(const PreparedSegment& segment, double pressure_kpa) {
+  refuse_unless_planar(segment);
+  const Response response = predict(segment, std::array{pressure_kpa});
+  const std::optional<State>& free = response.states[0];
+  if (!free || !free->stable) return std::nullopt;
+  PlanarSection section(segment, *free, pressure_kpa / 1000);
+  const double length = segment.length_mm;
+  const double bend = section.bend();
+  if (std::abs(bend) * length < 1e-12) return TipForce{0, 0, 0, free->stretch * length};
+
+  // A small moment gives the bending stiffness, and linear theory with it the first guess.
+  PlanarSection probe = section;
+  const double small = 1e-3;
+  if (!probe.load(0, small)) return std::nullopt;
+  const double stiffness = small / (probe.bend() - bend);
+  const double unit = 1.5 * stiffness * bend / (length * free->stretch);
+  double angle = -0.25 * bend * length;
+  double force = 1;  // in `unit`
+  for (int i = 0; i < most_iterations; ++i) {
+    const auto at = base(section, length, angle, force * unit);
+    const auto turned = base(section, length, angle + difference, force * unit);
+    const auto pushed = base(section, length, angle, (force + difference) * unit);
+    if (!at || !turned || !pushed) return std::nullopt;
+    Eigen::Matrix2d jacobian;
+    jacobian << ((*turned)[0] - (*at)[0]) / difference, ((*pushed)[0] - (*at)[0]) / difference,
+        ((*turned)[2] - (*at)[2]) / difference / length,
+        ((*pushed)[2] - (*at)[2]) / difference / length;
+    const Eigen::Vector2d miss((*at)[0], (*at)[2] / length);
+    const Eigen::Vector2d step = jacobian.partialPivLu().solve(-miss);
+    angle += step[0];
+    force += step[1];
+    if (step.cwiseAbs().maxCoeff() > 1e-9) continue;
+    const double newtons = std::abs(force * unit);
+    return TipForce{newtons, bend > 0 ? -angle : angle, newtons * (*at)[1], (*at)[1]};
+  }
+  return std::nullopt;
+}
+
+}  // namespace latticast
