@@ -49,14 +49,14 @@ PlaneGrid plane_of(const Segment& segment, const Pattern& pattern, double tolera
 
 void unite_strands(benchmark::State& state, const Size& size) {
   const Segment segment = twisting_segment(size);
-  const Pattern pattern = draw_lattice(segment);
+  const Pattern pattern = draw_lattice(segment, 0.005);
   const PlaneGrid grid = plane_of(segment, pattern, 0.01);
   for (auto run : state) benchmark::DoNotOptimize(unite(pattern, grid, {}, 0.01));
 }
 
 void triangulate_region(benchmark::State& state, const Size& size) {
   const Segment segment = twisting_segment(size);
-  const Pattern pattern = draw_lattice(segment);
+  const Pattern pattern = draw_lattice(segment, 0.005);
   const Region region = unite(pattern, plane_of(segment, pattern, 0.01), {}, 0.01);
   for (auto run : state) benchmark::DoNotOptimize(triangulate(region));
 }

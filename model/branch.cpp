@@ -47,6 +47,24 @@ BranchPoint between(const BranchPoint& a, const BranchPoint& b, double fraction)
   return x;
 }
 
+template <int n>
+void eigenvalues_of(const double* stiffness, double* values) {
+  using Fixed = Eigen::Matrix<double, n, n>;
+  const Eigen::SelfAdjointEigenSolver<Fixed> solver(Map<const Fixed>(stiffness),
+                                                    Eigen::EigenvaluesOnly);
+  std::copy_n(solver.eigenvalues().data(), n, values);
+}
+
+/// Of the symmetric n x n stiffness, rising.
+BalanceAt::Vector stiffness_eigenvalues(const BalanceAt& balance, int n) {
+  constexpr std::array solvers{eigenvalues_of<1>, eigenvalues_of<2>, eigenvalues_of<3>,
+                               eigenvalues_of<4>, eigenvalues_of<5>};
+  static_assert(solvers.size() == coordinate_count);
+  BalanceAt::Vector values{};
+  solvers[n - 1](balance.stiffness.data(), values.data());
+  return values;
+}
+
 /// Derivatives of the imbalance by coordinates and pressure, closed by a plane's normal: regular
 /// also where the stiffness alone is singular.
 Matrix bordered(const BalanceAt& balance, const BranchPoint& normal, int n) {
@@ -107,9 +125,7 @@ void Branch::restart() {
 }
 
 void Branch::examine_stability(BranchState& state) const {
-  const Matrix stiffness = Map<const Eigen::MatrixXd>(state.balance.stiffness.data(), n_, n_);
-  Vector values = Vector::Zero(n_);
-  values = stiffness.selfadjointView<Eigen::Lower>().eigenvalues();
+  const BalanceAt::Vector values = stiffness_eigenvalues(state.balance, n_);
   state.smallest_eigenvalue = state.nearest_eigenvalue = values[0];
   state.negative_eigenvalues = 0;
   for (int i = 0; i < n_; ++i) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/pattern/horseshoe_path.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include <fmt/core.h>
 
 namespace latticast {
 namespace {
@@ -13,7 +13,9 @@ namespace {
 constexpr double closing_tolerance = 2e-3;  // relative change of the radius that goes unsaid
 constexpr double radians = std::numbers::pi / 180;
 
-double half_arc(const Horseshoe& shape) { return 0.5 * shape.arc_deg * radians; }
+double half_arc(const Horseshoe& shape) {
+  return 0.5 * shape.arc_deg * radians;
+}
 
 // Where the column's arcs are drawn: along its chord line and to the right of it.
 struct Frame {
@@ -32,9 +34,11 @@ Frame frame_of(const HorseshoeColumn& column) {
   return {{column.start_u_mm, 0}, {cosine, std::sin(angle)}, {std::sin(angle), -cosine}};
 }
 
-// Points of a flattened arc about (s, t), from direction -half to +half seen from the chord's normal.
-// Inner points lie further out than the end points, so that the polygon has the sector's area.
-std::vector<PlanePoint> flat_arc(double s, double t, double radius, double half, int steps, int side) {
+// Points of a flattened arc about (s, t), from direction -half to +half seen from the chord's
+// normal. Inner points lie further out than the end points, so that the polygon has the sector's
+// area.
+std::vector<PlanePoint> flat_arc(double s, double t, double radius, double half, int steps,
+                                 int side) {
   const double step = 2 * half / steps;
   const double needed = steps * step / std::sin(step);
   const double outward =
@@ -54,8 +58,8 @@ int flat_steps(double radius, double arc, double flatness) {
   return std::max(2, static_cast<int>(std::ceil(arc / step)));
 }
 
-// The polygon's part with 0 <= z <= length (Sutherland-Hodgman against both ends). A part cut off in the
-// middle leaves an edge there and back along the end, which encloses nothing.
+// The polygon's part with 0 <= z <= length (Sutherland-Hodgman against both ends). A part cut off
+// in the middle leaves an edge there and back along the end, which encloses nothing.
 std::vector<PlanePoint> clip_ends(std::vector<PlanePoint> polygon, double length) {
   for (const bool far_end : {false, true}) {
     const double level = far_end ? length : 0;
@@ -167,7 +171,9 @@ std::vector<PlanePoint> sampled_centre_line(const HorseshoeColumn& column) {
 
 }  // namespace
 
-double chord_mm(const Horseshoe& shape) { return 2 * shape.radius_mm * std::sin(half_arc(shape)); }
+double chord_mm(const Horseshoe& shape) {
+  return 2 * shape.radius_mm * std::sin(half_arc(shape));
+}
 
 double arcs_on_segment(const HorseshoeColumn& column) {
   return column.length_mm / (chord_mm(column.shape) * std::sin(column.angle_deg * radians));
@@ -183,29 +189,33 @@ std::vector<std::string> drawing_problems(const HorseshoeColumn& column) {
   const double radius = column.shape.radius_mm;
   const double closing = closing_radius_mm(column);
   if (std::abs(closing - radius) > closing_tolerance * radius) {
-    problems.push_back(fmt::format("{:.2f} arcs of radius {:g} mm fill the segment, not a whole number; radius "
-                                   "{:.6g} mm closes it with {:g}",
-                                   arcs_on_segment(column), radius, closing,
-                                   std::max(1.0, std::round(arcs_on_segment(column)))));
+    problems.push_back(
+        fmt::format("{:.2f} arcs of radius {:g} mm fill the segment, not a whole number; radius "
+                    "{:.6g} mm closes it with {:g}",
+                    arcs_on_segment(column), radius, closing,
+                    std::max(1.0, std::round(arcs_on_segment(column)))));
   }
   if (column.width_mm >= 2 * radius) {
-    problems.push_back(fmt::format("the strand is {:g} mm wide, wider than its arcs' diameter, and folds over "
-                                   "itself; a radius above {:.6g} mm avoids it",
-                                   column.width_mm, 0.5 * column.width_mm));
+    problems.push_back(
+        fmt::format("the strand is {:g} mm wide, wider than its arcs' diameter, and folds over "
+                    "itself; a radius above {:.6g} mm avoids it",
+                    column.width_mm, 0.5 * column.width_mm));
   }
   const double half = half_arc(column.shape);
   const bool one_sided_overlap = !column.shape.alternate && half > 0.5 * std::numbers::pi;
-  const bool alternate_overlap =
-      column.shape.alternate && 4 * radius * std::sin(half) <= 2 * radius + column.width_mm &&
-      half > 0.5 * std::numbers::pi;
+  const bool alternate_overlap = column.shape.alternate &&
+                                 4 * radius * std::sin(half) <= 2 * radius + column.width_mm &&
+                                 half > 0.5 * std::numbers::pi;
   if (one_sided_overlap) {
-    problems.push_back(fmt::format("arcs of {:g} degrees on one side run into each other; 180 degrees is the most",
-                                   column.shape.arc_deg));
+    problems.push_back(
+        fmt::format("arcs of {:g} degrees on one side run into each other; 180 degrees is the most",
+                    column.shape.arc_deg));
   } else if (alternate_overlap) {
     const double sine = std::min(1.0, 0.5 + 0.25 * column.width_mm / radius);
-    problems.push_back(fmt::format("every second arc of {:g} degrees runs into the next; below {:.4g} degrees they "
-                                   "stay apart",
-                                   column.shape.arc_deg, 2 * (std::numbers::pi - std::asin(sine)) / radians));
+    problems.push_back(fmt::format(
+        "every second arc of {:g} degrees runs into the next; below {:.4g} degrees they "
+        "stay apart",
+        column.shape.arc_deg, 2 * (std::numbers::pi - std::asin(sine)) / radians));
   }
   return problems;
 }
@@ -215,14 +225,15 @@ double clearance_mm(const HorseshoeColumn& column, double spacing_u_mm, double n
   double closest = HUGE_VAL;
   for (std::size_t i = line.size() / 3; i < 2 * line.size() / 3; ++i) {
     for (const PlanePoint& other : line) {
-      closest = std::min(closest,
-                         std::hypot(other.u + spacing_u_mm - line[i].u, other.z - line[i].z));
+      closest =
+          std::min(closest, std::hypot(other.u + spacing_u_mm - line[i].u, other.z - line[i].z));
     }
   }
   return closest - 0.5 * (column.width_mm + neighbour_width_mm);
 }
 
-int most_columns(const HorseshoeColumn& column, double circumference_mm, double neighbour_width_mm) {
+int most_columns(const HorseshoeColumn& column, double circumference_mm,
+                 double neighbour_width_mm) {
   int low = 1;  // leaves a gap, or is the least there can be
   int high = std::max(2, static_cast<int>(circumference_mm / column.width_mm) + 1);  // leaves none
   while (high - low > 1) {

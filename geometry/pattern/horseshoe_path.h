@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Horseshoe columns, drawn flat: a chain of circular arcs along a straight chord line (paper Fig. 2(g)).
+// Horseshoe columns, drawn flat: a chain of circular arcs along a straight chord line (paper Fig.
+// 2(g)).
 #pragma once
 
 #include <string>
@@ -10,9 +11,9 @@
 
 namespace latticast {
 
-/// One column. Its chord line starts at (start_u, 0) and runs at `angle_deg` from the circumference to
-/// z = length. Joints between arcs lie on the chord line; the first arc bulges to the right of it, the
-/// next one to the left when `alternate`, otherwise all to the right.
+/// One column. Its chord line starts at (start_u, 0) and runs at `angle_deg` from the circumference
+/// to z = length. Joints between arcs lie on the chord line; the first arc bulges to the right of
+/// it, the next one to the left when `alternate`, otherwise all to the right.
 struct HorseshoeColumn {
   Horseshoe shape;
   double start_u_mm = 0;
@@ -27,18 +28,20 @@ double chord_mm(const Horseshoe& shape);
 /// Arcs on a segment, as a real number: L / (chord sin angle).
 double arcs_on_segment(const HorseshoeColumn& column);
 
-/// The radius nearest to the column's at which a whole number of arcs (at least one) fills the segment.
+/// The radius nearest to the column's at which a whole number of arcs (at least one) fills the
+/// segment.
 double closing_radius_mm(const HorseshoeColumn& column);
 
 /// What keeps the column from being drawn, each with the nearest value that works; empty if nothing
 /// does. A column whose radius is within 0.2 % of the closing radius closes: it is drawn with that.
 std::vector<std::string> drawing_problems(const HorseshoeColumn& column);
 
-/// Smallest clear distance between two neighbouring columns of equal shape, `spacing_u_mm` apart along
-/// u, with the widths given; negative when they overlap. Sampled at 1/200 of an arc.
+/// Smallest clear distance between two neighbouring columns of equal shape, `spacing_u_mm` apart
+/// along u, with the widths given; negative when they overlap. Sampled at 1/200 of an arc.
 double clearance_mm(const HorseshoeColumn& column, double spacing_u_mm, double neighbour_width_mm);
 
-/// The most columns around the tube that leave a gap between neighbours of these widths; at least 1.
+/// The most columns around the tube that leave a gap between neighbours of these widths; at
+/// least 1.
 int most_columns(const HorseshoeColumn& column, double circumference_mm, double neighbour_width_mm);
 
 /// Outlines, one polygon an arc, cut level at both ends. Arcs become chords that stay within

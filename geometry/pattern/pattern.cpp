@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/pattern/pattern.h"
 
-#include <fmt/core.h>
-
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <string>
+
+#include <fmt/core.h>
 
 #include "geometry/pattern/horseshoe_path.h"
 #include "geometry/pattern/rings.h"
@@ -53,13 +53,15 @@ void add_problems(const Grid& grid, std::size_t family, const Pattern& pattern, 
     if (!seen.emplace(std::pair(grid.widths_mm[i], next_width), true).second) continue;
     const HorseshoeColumn column = column_of(grid, i, pattern);
     const auto add = [&](const std::string& problem) {
-      text += fmt::format("grid {}, strand {} (at {:.1f} degrees around the tube): {}\n", family + 1,
-                          i + 1, 360.0 * i / grid.count(), problem);
+      text += fmt::format("grid {}, strand {} (at {:.1f} degrees around the tube): {}\n",
+                          family + 1, i + 1, 360.0 * i / grid.count(), problem);
     };
     for (const std::string& problem : drawing_problems(column)) add(problem);
     const double clearance = clearance_mm(column, spacing, next_width);
     if (clearance <= 0) {
-      add(fmt::format("overlaps the next strand by {:.3g} mm; {} strands, or widths smaller by that much, leave a gap",
+      add(
+          fmt::format("overlaps the next strand by {:.3g} mm; {} strands, or widths smaller by "
+                      "that much, leave a gap",
                       -clearance, most_columns(column, pattern.circumference_mm, next_width)));
     }
   }

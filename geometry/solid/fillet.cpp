@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include <polyclipping/clipper.hpp>
 
 namespace latticast {
@@ -12,8 +13,8 @@ using ClipperLib::cInt;
 using ClipperLib::Path;
 using ClipperLib::Paths;
 
-// Offsetting works on integers. The period is a whole number of them, so that what is drawn on either
-// side of the seam is the same; 2^24 of them are finer than float32.
+// Offsetting works on integers. The period is a whole number of them, so that what is drawn on
+// either side of the seam is the same; 2^24 of them are finer than float32.
 constexpr cInt period = cInt{1} << 24;
 
 struct IntegerGrid {
@@ -62,7 +63,8 @@ Paths clipped(const Paths& paths, cInt length) {
   clipper.AddPaths(paths, ClipperLib::ptSubject, true);
   clipper.AddPath({{0, 0}, {period, 0}, {period, length}, {0, length}}, ClipperLib::ptClip, true);
   Paths result;
-  clipper.Execute(ClipperLib::ctIntersection, result, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  clipper.Execute(ClipperLib::ctIntersection, result, ClipperLib::pftNonZero,
+                  ClipperLib::pftNonZero);
   return result;
 }
 

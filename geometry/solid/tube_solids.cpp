@@ -134,8 +134,8 @@ Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer laye
 Solid lattice_solid(const Segment& segment, const SolidOptions& options) {
   return wrap_layer(
       segment, options,
-      {draw_lattice(segment), segment.liner_outer_radius_mm(), segment.outer_radius_mm(),
-       steepest_slant(segment), thinnest_strand_mm(*segment.lattice)});
+      {draw_lattice(segment, 0.5 * options.tolerance_mm), segment.liner_outer_radius_mm(),
+       segment.outer_radius_mm(), steepest_slant(segment), thinnest_strand_mm(*segment.lattice)});
 }
 
 Solid liner_solid(const Segment& segment, const SolidOptions& options) {

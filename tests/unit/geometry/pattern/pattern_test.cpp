@@ -56,7 +56,7 @@ TEST(Pattern, StrandAreasAddUpToTheClosedForm) {
   Segment segment = example_segment();
   segment.lattice->rings = Rings{8, std::nullopt, 2};
   segment.lattice->grids = {family(36, std::vector<double>(8, 2.0)), family(144, {1, 1.5, 0.5})};
-  const Pattern pattern = draw_lattice(segment);
+  const Pattern pattern = draw_lattice(segment, 0.005);
   const double circumference = 2 * std::numbers::pi * 17;
   EXPECT_DOUBLE_EQ(pattern.circumference_mm, circumference);
   EXPECT_DOUBLE_EQ(pattern.length_mm, 85);
@@ -71,7 +71,7 @@ TEST(Pattern, StripsKeepTheirWidthAndAngleAndSpacing) {
     SCOPED_TRACE(angle);
     Segment segment = example_segment();
     segment.lattice->grids = {family(angle, widths)};
-    const Pattern pattern = draw_lattice(segment);
+    const Pattern pattern = draw_lattice(segment, 0.005);
     ASSERT_EQ(pattern.strands.size(), widths.size());
     for (std::size_t i = 0; i < widths.size(); ++i) {
       const Strand& strip = pattern.strands[i];
@@ -93,7 +93,7 @@ TEST(Pattern, StripsKeepTheirWidthAndAngleAndSpacing) {
 TEST(Pattern, AxialColumnsAreExactlyAxial) {
   Segment segment = example_segment();
   segment.lattice->grids = {family(90, std::vector<double>(7, 1.0))};
-  for (const Strand& strip : draw_lattice(segment).strands) {
+  for (const Strand& strip : draw_lattice(segment, 0.005).strands) {
     EXPECT_EQ(strip.outline[0].u, strip.outline[3].u);
     EXPECT_EQ(strip.outline[1].u, strip.outline[2].u);
   }
@@ -102,7 +102,7 @@ TEST(Pattern, AxialColumnsAreExactlyAxial) {
 TEST(Pattern, SupplementaryAnglesMirrorEachOther) {
   Segment segment = example_segment();
   segment.lattice->grids = {family(25, {2}), family(155, {2})};
-  const Pattern pattern = draw_lattice(segment);
+  const Pattern pattern = draw_lattice(segment, 0.005);
   const auto& rising = pattern.strands[0].outline;
   const auto& falling = pattern.strands[1].outline;
   EXPECT_NEAR(rising[2].u, -falling[3].u, 1e-9);
@@ -113,7 +113,7 @@ TEST(Pattern, RingsGoOnceAroundAndEndExactlyOnTheSegmentsEnds) {
   Segment segment = example_segment();
   segment.length_mm = 0.7;  // 0.7 - 0.05 + 0.05 is not 0.7 in binary
   segment.lattice->rings = Rings{3, std::nullopt, 0.1};
-  const Pattern pattern = draw_lattice(segment);
+  const Pattern pattern = draw_lattice(segment, 0.005);
   ASSERT_EQ(pattern.strands.size(), 3U);
   EXPECT_EQ(pattern.strands.front().outline[0].z, 0);
   EXPECT_EQ(pattern.strands.back().outline[2].z, 0.7);
@@ -135,7 +135,7 @@ TEST(Pattern, HorseshoesAreRefusedByName) {
   segment.lattice->grids = {family(36, {2})};
   segment.lattice->grids[0].horseshoe = Horseshoe{2.656, 180, true};
   try {
-    draw_lattice(segment);
+    draw_lattice(segment, 0.005);
     FAIL() << "a horseshoe was drawn as something else";
   } catch (const UnsupportedDesign& refusal) {
     EXPECT_NE(std::string(refusal.what()).find("horseshoe"), std::string::npos);

@@ -203,7 +203,7 @@ TEST(Arrangement, CutsJustAboveAColumnLineLeaveNoEdgeOnTheLine) {
 
 TEST(Arrangement, OfTheSameFamilyTwiceAddsItsWindings) {
   RandomNumbers random(3);
-  const Pattern once = draw_lattice(random_segment(random));
+  const Pattern once = draw_lattice(random_segment(random), 0.005);
   Pattern twice = once;
   twice.strands.insert(twice.strands.end(), once.strands.begin(), once.strands.end());
   const PlaneGrid grid = make_plane_grid(once.circumference_mm, once.length_mm, 30);
@@ -248,7 +248,7 @@ TEST(Arrangement, DoesNotDragEdgesAlongTheGrid) {
        std::nullopt},
       {168.940829, std::vector<double>(7, 1.241418486), std::nullopt},
       {56.10407753, std::vector<double>(4, 4.085531037), std::nullopt}};
-  const Pattern pattern = draw_lattice(segment);
+  const Pattern pattern = draw_lattice(segment, 0.005);
   const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, pattern.length_mm,
                                          columns_for(segment.outer_radius_mm(), 0.007415178236));
   const Arrangement arranged = arrange(pattern, grid);

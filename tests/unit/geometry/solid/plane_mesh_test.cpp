@@ -137,7 +137,7 @@ double lowest_triangle(const PlaneMesh& mesh) {
 }
 
 double lowest_triangle(const Segment& segment, int columns) {
-  const Pattern pattern = draw_lattice(segment);
+  const Pattern pattern = draw_lattice(segment, 0.005);
   const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, pattern.length_mm, columns);
   return lowest_triangle(triangulate(unite(pattern, grid, {}, 0.01)));
 }

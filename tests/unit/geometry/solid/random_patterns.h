@@ -107,7 +107,7 @@ struct RandomPlane {
 inline RandomPlane random_plane(std::uint64_t seed) {
   RandomNumbers random(seed);
   Pattern pattern =
-      seed % 4 == 3 ? random_polygons(random, 60, 40) : draw_lattice(random_segment(random));
+      seed % 4 == 3 ? random_polygons(random, 60, 40) : draw_lattice(random_segment(random), 0.005);
   const double step = seed % 3 == 0 ? 0.01 : 2e-5;
   const PlaneGrid grid =
       make_plane_grid(pattern.circumference_mm, pattern.length_mm, random.whole(12, 40), step);

@@ -187,14 +187,14 @@ TEST(Region, OfAxialColumnsAndRingsAlone) {
   segment.length_mm = 50;
   segment.liner = {8, 2, {}};
   segment.lattice = Lattice{2, {}, Rings{3, std::nullopt, 2}, {}};
-  Pattern pattern = draw_lattice(segment);
+  Pattern pattern = draw_lattice(segment, 0.005);
   const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, 50, 40);
   const double around = pattern.circumference_mm;
   EXPECT_NEAR(area_mm2(unite(pattern, grid, {}, 0.01)), 3 * 2 * around, 4 * around * 2e-5);
 
   segment.lattice->rings.reset();
   segment.lattice->grids = {{90, {1, 2, 3, 2}, std::nullopt}};
-  const Region columns = unite(draw_lattice(segment), grid, {}, 0.01);
+  const Region columns = unite(draw_lattice(segment, 0.005), grid, {}, 0.01);
   EXPECT_NEAR(area_mm2(columns), 8 * 50, 8 * 50 * 2e-5);
   EXPECT_EQ(outline_loops(columns), 4);
 }
@@ -205,7 +205,7 @@ TEST(Region, OfTheExampleHasTheAreaCountedByHand) {
   segment.liner = {12, 4, {}};
   segment.lattice = Lattice{2, {}, Rings{8, std::nullopt, 2}, {}};
   segment.lattice->grids = {{36, std::vector<double>(8, 2.0), std::nullopt}};
-  const Pattern pattern = draw_lattice(segment);
+  const Pattern pattern = draw_lattice(segment, 0.005);
   const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, 85, 79);
   const Region region = unite(pattern, grid, {}, 0.01);
   const double sine = std::sin(36 * std::numbers::pi / 180);
