@@ -94,7 +94,7 @@ struct LinerMold {
 };
 
 struct Preview {
-  std::vector<double> pressures_kpa;  ///< applied to every segment alike
+  std::vector<LoadCase> cases;
 };
 
 /// What to make; nothing that is not named.

@@ -43,8 +43,8 @@ std::vector<double> read_common_pressures(const Field& field) {
   return {};
 }
 
-LoadCase read_case(Section table, std::size_t segments) {
-  const Field pressure = table.need("pressure", "pressure = 30");
+/// One pressure for all segments, or a list with one for each.
+LoadCase read_pressures_of_case(const Field& pressure, std::size_t segments) {
   LoadCase load;
   if (pressure.is_list()) {
     load.pressures_kpa = pressure.numbers(1, limits::segments, limits::pressure);
@@ -56,8 +56,62 @@ LoadCase read_case(Section table, std::size_t segments) {
   } else {
     load.pressures_kpa.assign(segments, pressure.number(limits::pressure));
   }
+  return load;
+}
+
+LoadCase read_case(Section table, std::size_t segments) {
+  LoadCase load = read_pressures_of_case(table.need("pressure", "pressure = 30"), segments);
   table.refuse_unknown_keys();
   return load;
+}
+
+/// The pressures that one segment runs through in a grid of cases.
+std::vector<double> read_grid_side(const Field& field) {
+  if (field.is_list()) return field.numbers(1, limits::load_cases, limits::pressure);
+  if (field.is_table()) return read_sweep(field);
+  return {field.number(limits::pressure)};
+}
+
+/// Every combination of the sides, the last one running fastest.
+std::vector<LoadCase> combined(const std::vector<std::vector<double>>& sides) {
+  std::vector<LoadCase> cases(1);
+  for (const std::vector<double>& side : sides) {
+    std::vector<LoadCase> longer;
+    longer.reserve(cases.size() * side.size());
+    for (const LoadCase& load : cases) {
+      for (const double pressure : side) {
+        longer.push_back(load);
+        longer.back().pressures_kpa.push_back(pressure);
+      }
+    }
+    cases = std::move(longer);
+  }
+  return cases;
+}
+
+std::vector<LoadCase> read_case_grid(const Field& field, std::size_t segments) {
+  constexpr std::string_view hint =
+      "write one entry per segment, as in grid = [{ from = 0, to = 30, step = 3 }, [0, 20, 60]]";
+  std::vector<std::vector<double>> sides;
+  double size = 1;
+  for (const Field& item : field.items(1, limits::segments, hint)) {
+    sides.push_back(read_grid_side(item));
+    size *= static_cast<double>(sides.back().size());
+  }
+  if (sides.empty() || segments == 0) return {};
+  if (sides.size() != segments) {
+    field.refuse(
+        fmt::format("must hold one entry per segment: {} for {} segments", sides.size(), segments),
+        std::string(hint));
+    return {};
+  }
+  if (size > limits::load_cases) {
+    field.refuse(fmt::format("must not make more than {} cases; this one makes {:.6g}",
+                             limits::load_cases, size),
+                 "use larger steps");
+    return {};
+  }
+  return combined(sides);
 }
 
 std::optional<LatticeMold> read_lattice_mold(const Field& field) {
@@ -85,12 +139,18 @@ std::optional<LinerMold> read_liner_mold(const Field& field) {
   return mold;
 }
 
-std::optional<Preview> read_preview(const Field& field) {
+std::optional<Preview> read_preview(const Field& field, std::size_t segments) {
   if (!field.present()) return std::nullopt;
   Section table = field.section("write preview = { pressures = [0, 20, 40] }");
   const Field pressures = table.need("pressures", "pressures = [0, 20, 40]");
   table.refuse_unknown_keys();
-  return Preview{pressures.numbers(1, limits::preview_pressures, limits::pressure)};
+  Preview preview;
+  constexpr std::string_view hint =
+      "write pressures = [0, 20, 40]; for one pressure per segment, an entry is a list: [[0, 20]]";
+  for (const Field& item : pressures.items(1, limits::preview_cases, hint)) {
+    preview.cases.push_back(read_pressures_of_case(item, segments));
+  }
+  return preview;
 }
 
 std::vector<MeshFormat> read_formats(const Field& field) {
@@ -144,6 +204,10 @@ std::vector<LoadCase> read_load(const Field& field, std::size_t segments) {
   for (const Field& item : table.may("case").items(1, limits::load_cases, hint)) {
     cases.push_back(read_case(item.section(hint), segments));
   }
+  const Field grid = table.may("grid");
+  if (grid.present()) {
+    for (LoadCase& load : read_case_grid(grid, segments)) cases.push_back(std::move(load));
+  }
   table.refuse_unknown_keys();
   return cases;
 }
@@ -174,7 +238,7 @@ Make read_make(const Field& field, const std::vector<Segment>& segments) {
   make.liner = table.may("liner").flag_or(false);
   make.lattice_mold = read_lattice_mold(lattice_mold);
   make.liner_mold = read_liner_mold(table.may("liner_mold"));
-  make.preview = read_preview(table.may("preview"));
+  make.preview = read_preview(table.may("preview"), segments.size());
   make.report = table.may("report").flag_or(false);
   table.refuse_unknown_keys();
 

@@ -74,6 +74,7 @@ length = 20
 
 [load]
 pressure = { from = 0, to = 60, step = 20 }
+grid = [[5, 15], { from = 0, to = 50, step = 25 }, -3]
 [[load.case]]
 pressure = [10, -20, 30.5]
 [[load.case]]
@@ -89,7 +90,7 @@ lattice = true
 liner = true
 lattice_mold = { pieces = 3, wall = 4 }
 liner_mold = { wall = 6 }
-preview = { pressures = [0, 20, 40] }
+preview = { pressures = [0, [20, 0, -5], 40] }
 report = true
 
 [export]

@@ -104,8 +104,11 @@ void expect_rules_of(const Design& design) {
     for (const double pressure : load.pressures_kpa) EXPECT_TRUE(is_pressure(pressure));
   }
   if (design.make.preview) {
-    EXPECT_FALSE(design.make.preview->pressures_kpa.empty());
-    for (const double p : design.make.preview->pressures_kpa) EXPECT_TRUE(is_pressure(p));
+    EXPECT_FALSE(design.make.preview->cases.empty());
+    for (const LoadCase& load : design.make.preview->cases) {
+      EXPECT_EQ(load.pressures_kpa.size(), design.segments.size());
+      for (const double p : load.pressures_kpa) EXPECT_TRUE(is_pressure(p));
+    }
   }
   if (design.make.lattice_mold) {
     EXPECT_TRUE(is_length(design.make.lattice_mold->wall_mm));

@@ -82,14 +82,17 @@ TEST(ReadDesign, GradedWidths) {
   EXPECT_EQ(grids[1].widths_mm, (std::vector<double>{1, 1, 1, 2, 2}));
 }
 
-TEST(ReadDesign, LoadHoldsTheSweepThenTheCases) {
+TEST(ReadDesign, LoadHoldsTheSweepThenTheCasesThenTheGrid) {
   const Design design = read_valid(whole_grammar);
-  ASSERT_EQ(design.load.size(), 6U);
+  ASSERT_EQ(design.load.size(), 12U);
   for (int i = 0; i < 4; ++i) {
     EXPECT_EQ(design.load[i].pressures_kpa, std::vector<double>(3, 20.0 * i));
   }
   EXPECT_EQ(design.load[4].pressures_kpa, (std::vector<double>{10, -20, 30.5}));
   EXPECT_EQ(design.load[5].pressures_kpa, std::vector<double>(3, 7.0));
+  const std::vector<std::vector<double>> grid = {{5, 0, -3},  {5, 25, -3},  {5, 50, -3},
+                                                 {15, 0, -3}, {15, 25, -3}, {15, 50, -3}};
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(design.load[6 + i].pressures_kpa, grid[i]) << i;
 }
 
 TEST(ReadDesign, SettingsOfTheWholeGrammar) {
@@ -105,7 +108,10 @@ TEST(ReadDesign, SettingsOfTheWholeGrammar) {
   ASSERT_TRUE(design.make.liner_mold);
   EXPECT_EQ(design.make.liner_mold->wall_mm, 6);
   ASSERT_TRUE(design.make.preview);
-  EXPECT_EQ(design.make.preview->pressures_kpa, (std::vector<double>{0, 20, 40}));
+  ASSERT_EQ(design.make.preview->cases.size(), 3U);
+  EXPECT_EQ(design.make.preview->cases[0].pressures_kpa, std::vector<double>(3, 0.0));
+  EXPECT_EQ(design.make.preview->cases[1].pressures_kpa, (std::vector<double>{20, 0, -5}));
+  EXPECT_EQ(design.make.preview->cases[2].pressures_kpa, std::vector<double>(3, 40.0));
   EXPECT_TRUE(design.make.report);
   EXPECT_EQ(design.output.formats,
             (std::vector<MeshFormat>{MeshFormat::stl, MeshFormat::obj, MeshFormat::three_mf,
