@@ -53,8 +53,7 @@ class Builder {
  private:
   void count_steps() {
     const std::size_t parts = plan_.runs(Stage::lattice) + plan_.runs(Stage::liner);
-    const std::size_t shapes =
-        plan_.runs(Stage::preview) ? design_.make.preview->pressures_kpa.size() : 0;
+    const std::size_t shapes = plan_.runs(Stage::preview) ? design_.make.preview->cases.size() : 0;
     steps_ = static_cast<int>(design_.segments.size() * (parts + 2 * shapes));
   }
 
@@ -73,7 +72,7 @@ class Builder {
 
 #if LATTICAST_HAS_PREDICT
   void build_preview() {
-    const std::vector<PressureShape> shapes = predict_preview(design_);
+    const std::vector<PreviewShape> shapes = predict_preview(design_);
     std::vector<PicturePart> picture;
     for (std::size_t s = 0; s < design_.segments.size(); ++s) {
       const SolidOptions options = preview_options(design_, s, start_z_mm_[s], shapes);
@@ -84,15 +83,15 @@ class Builder {
       preview_part(s, true, liner_solid(segment, options), shapes, picture);
     }
     const std::string file = design_.name + "-preview.png";
-    write_png(staging_.add(file), preview_picture(picture));
+    write_png(staging_.add(file), preview_picture(picture, shapes));
     summary_ += fmt::format("{}: {} shapes side by side\n", file, shapes.size());
   }
 
   void preview_part(std::size_t s, bool is_liner, const Solid& rest,
-                    const std::vector<PressureShape>& shapes, std::vector<PicturePart>& picture) {
+                    const std::vector<PreviewShape>& shapes, std::vector<PicturePart>& picture) {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       const std::string part =
-          fmt::format("preview-{:g}kPa-{}", shapes[i].pressure_kpa, is_liner ? "liner" : "lattice");
+          fmt::format("preview-{}-{}", shapes[i].label, is_liner ? "liner" : "lattice");
       begin(part_name(s, part));
       Solid moved{moved_mesh(rest.mesh, shapes[i].shape, s), 0, 0, rest.pieces, rest.genus};
       deliver(part_name(s, part), moved);

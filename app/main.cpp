@@ -22,6 +22,7 @@
 #include "app/audit_command.h"
 #include "app/build_command.h"
 #include "app/interrupt.h"
+#include "geometry/pattern/pattern.h"
 #include "geometry/solid/arrangement.h"
 #if LATTICAST_HAS_PREDICT
 #include "app/preview.h"
@@ -42,6 +43,7 @@ struct CommandLine {
   std::string pressure;
   std::string format = "table";
   std::vector<std::string> hold;
+  std::string shape;
   std::vector<std::string> mesh_files;
   std::string material;
 };
@@ -68,9 +70,12 @@ void describe_predict(CLI::App& app, CommandLine& typed) {
   predict->add_option("--format", typed.format, "table, csv or json")
       ->check(CLI::IsMember({"table", "csv", "json"}));
   predict
-      ->add_option("--hold", typed.hold, "coordinates held by the mounting; prints their reaction")
+      ->add_option("--hold", typed.hold,
+                   "what the mounting holds (tip: its place, by a stop); prints the reaction")
       ->delimiter(',')
-      ->check(CLI::IsMember({"twist", "bend", "stretch"}));
+      ->check(CLI::IsMember({"twist", "bend", "stretch", "tip"}));
+  predict->add_option("--shape", typed.shape, "of the whole chain, a load case after the other")
+      ->check(CLI::IsMember({"tip", "centre-line"}));
 }
 
 void describe_commands(CLI::App& app, CommandLine& typed) {
@@ -102,8 +107,9 @@ ExitStatus run_command(const CLI::App& app, const CommandLine& typed, const Cons
   }
   if (app.got_subcommand("predict")) {
 #if LATTICAST_HAS_PREDICT
-    return run_predict(
-        {typed.design, materials_path(typed), typed.pressure, typed.format, typed.hold}, console);
+    return run_predict({typed.design, materials_path(typed), typed.pressure, typed.format,
+                        typed.hold, typed.shape},
+                       console);
 #else
     return left_out(console, "predict", "LATTICAST_PREDICT", "SUNDIALS");
 #endif
@@ -131,6 +137,9 @@ ExitStatus run_guarded(const CLI::App& app, const CommandLine& typed, const Cons
     console.error(fault.what());
     return ExitStatus::invalid;
 #if LATTICAST_HAS_GEOMETRY
+  } catch (const CannotDraw& fault) {
+    console.error(fault.what());
+    return ExitStatus::invalid;
   } catch (const GeometryError& fault) {
     console.error(fault.what());
     return ExitStatus::check_failed;

@@ -2,13 +2,16 @@
 #include "app/predict_command.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include <fmt/core.h>
 
+#include "app/chain_output.h"
 #include "app/design_input.h"
 #include "app/prediction.h"
 #include "app/prediction_output.h"
 #include "app/pressure_list.h"
+#include "app/tip_force_output.h"
 
 namespace latticast {
 namespace {
@@ -23,16 +26,13 @@ Held held_coordinates(const std::vector<std::string>& names) {
   return held;
 }
 
-void add_messages(const Prediction& prediction, const Console& console) {
-  for (std::size_t s = 0; s < prediction.segments.size(); ++s) {
-    const Response& response = prediction.segments[s].response;
-    for (const TurningPoint& point : response.turning_points) {
-      console.note(fmt::format("segment {}: {}", s + 1, point.name));
-    }
-    if (response.message.empty()) continue;
-    const std::string line = fmt::format("segment {}: {}", s + 1, response.message);
-    response.status == Status::ok ? console.note(line) : console.error(line);
+void add_messages(const Response& response, std::size_t segment, const Console& console) {
+  for (const TurningPoint& point : response.turning_points) {
+    console.note(fmt::format("segment {}: {}", segment + 1, point.name));
   }
+  if (response.message.empty()) return;
+  const std::string line = fmt::format("segment {}: {}", segment + 1, response.message);
+  response.status == Status::ok ? console.note(line) : console.error(line);
 }
 
 // MODEL.md section 9 measured how far this kind of model is from a three-dimensional calculation.
@@ -46,29 +46,79 @@ void note_known_bias(const Design& design, const Console& console) {
       "out 18-28 % and twist 7-20 % too high with joint = \"clear-span\" (docs/model.md)");
 }
 
+ExitStatus predict_responses(const Design& design, const PredictArguments& arguments,
+                             const std::vector<double>& pressures, const Console& console) {
+  const Held held = held_coordinates(arguments.hold);
+  const bool with_bands = arguments.format != "csv";
+  const Prediction prediction = predict_design(design, pressures, held, with_bands);
+  if (arguments.format == "csv") {
+    console.data(prediction_csv(design, prediction, held));
+  } else if (arguments.format == "json") {
+    console.data(prediction_json(design, prediction, held));
+  } else {
+    console.data(prediction_table(design, prediction, held));
+    note_known_bias(design, console);
+  }
+  for (std::size_t s = 0; s < prediction.segments.size(); ++s) {
+    add_messages(prediction.segments[s].response, s, console);
+  }
+  return prediction.complete() ? ExitStatus::done : ExitStatus::no_equilibrium;
+}
+
+ExitStatus predict_shapes(const Design& design, const PredictArguments& arguments,
+                          const std::vector<double>& pressures, const Console& console) {
+  const ChainResponse chain =
+      predict_chain(design.segments, design.model, asked_cases(design, pressures));
+  console.data(rows_as(arguments.format, arguments.shape == "tip"
+                                             ? tip_rows(chain, design.segments)
+                                             : centre_line_rows(chain, design.segments)));
+  bool complete = true;
+  for (std::size_t s = 0; s < chain.responses.size(); ++s) {
+    add_messages(chain.responses[s], s, console);
+    complete = complete && chain.responses[s].status == Status::ok;
+  }
+  console.note(reach_summary(chain, design.segments));
+  return complete ? ExitStatus::done : ExitStatus::no_equilibrium;
+}
+
+ExitStatus predict_blocked_tip(const Design& design, const PredictArguments& arguments,
+                               const std::vector<double>& pressures, const Console& console) {
+  const TipForceAnswer answer = predict_tip_forces(design, pressures);
+  console.data(rows_as(arguments.format, answer.numbers));
+  if (answer.complete) return ExitStatus::done;
+  console.error(
+      "some pressures have no row: the free segment has no stable equilibrium there (latticast "
+      "predict names the limit), or the one against the stop was not found");
+  return ExitStatus::no_equilibrium;
+}
+
+bool holds_tip(const PredictArguments& arguments) {
+  const std::vector<std::string>& held = arguments.hold;
+  const bool tip = std::find(held.begin(), held.end(), "tip") != held.end();
+  if (tip && held.size() > 1) {
+    throw std::invalid_argument(
+        "--hold tip keeps the tip's place, the other words a coordinate of every section: ask for "
+        "one after the other");
+  }
+  if (!held.empty() && !arguments.shape.empty()) {
+    throw std::invalid_argument("--shape shows free actuators: leave --hold out");
+  }
+  return tip;
+}
+
 }  // namespace
 
 ExitStatus run_predict(const PredictArguments& arguments, const Console& console) {
+  const bool blocked_tip = holds_tip(arguments);
   const auto materials = load_materials(arguments.materials, console);
   if (!materials) return ExitStatus::invalid;
   std::vector<double> pressures;
   if (!arguments.pressure.empty()) pressures = parse_pressures_kpa(arguments.pressure);
   const auto design = load_design(arguments.design, *materials, console);
   if (!design) return ExitStatus::invalid;
-
-  const Held held = held_coordinates(arguments.hold);
-  const bool with_bands = arguments.format != "csv";
-  const Prediction prediction = predict_design(*design, pressures, held, with_bands);
-  if (arguments.format == "csv") {
-    console.data(prediction_csv(*design, prediction, held));
-  } else if (arguments.format == "json") {
-    console.data(prediction_json(*design, prediction, held));
-  } else {
-    console.data(prediction_table(*design, prediction, held));
-    note_known_bias(*design, console);
-  }
-  add_messages(prediction, console);
-  return prediction.complete() ? ExitStatus::done : ExitStatus::no_equilibrium;
+  if (blocked_tip) return predict_blocked_tip(*design, arguments, pressures, console);
+  if (!arguments.shape.empty()) return predict_shapes(*design, arguments, pressures, console);
+  return predict_responses(*design, arguments, pressures, console);
 }
 
 }  // namespace latticast

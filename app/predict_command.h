@@ -16,7 +16,8 @@ struct PredictArguments {
   std::optional<std::filesystem::path> materials;
   std::string pressure;           ///< as typed; empty: the design's load
   std::string format = "table";   ///< table, csv or json
-  std::vector<std::string> hold;  ///< twist, bend, stretch
+  std::vector<std::string> hold;  ///< twist, bend, stretch; or tip alone
+  std::string shape;              ///< tip or centre-line; empty: the segments' responses
 };
 
 /// latticast predict: the response of every segment. Throws FileError, UnsupportedDesign,

@@ -2,6 +2,7 @@
 #include "app/prediction.h"
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 #include <type_traits>
 
@@ -35,12 +36,6 @@ std::optional<Response> predict_scaled(Segment segment, const Design& design,
   return predict(segment, design.model, pressures, held);
 }
 
-std::vector<double> load_of(const Design& design, std::size_t segment) {
-  std::vector<double> pressures;
-  for (const LoadCase& load : design.load) pressures.push_back(load.pressures_kpa[segment]);
-  return pressures;
-}
-
 }  // namespace
 
 bool Prediction::complete() const {
@@ -49,18 +44,37 @@ bool Prediction::complete() const {
   });
 }
 
-Prediction predict_design(const Design& design, const std::vector<double>& pressures_kpa, Held held,
-                          bool with_bands) {
+std::vector<LoadCase> asked_cases(const Design& design, const std::vector<double>& pressures_kpa) {
   if (pressures_kpa.empty() && design.load.empty()) {
     throw std::invalid_argument(
         "no pressure to predict for: give --pressure FROM:TO:STEP, or add "
         "[load] pressure = { from = 0, to = 40, step = 5 } to the design");
   }
+  if (pressures_kpa.empty()) return design.load;
+  std::vector<LoadCase> cases;
+  for (const double pressure : pressures_kpa) {
+    cases.push_back({std::vector<double>(design.segments.size(), pressure)});
+  }
+  return cases;
+}
+
+std::vector<double> segment_pressures_kpa(const Design& design, std::size_t segment,
+                                          const std::vector<double>& pressures_kpa) {
+  std::vector<double> pressures;
+  std::set<double> seen;
+  for (const LoadCase& load : asked_cases(design, pressures_kpa)) {
+    const double pressure = load.pressures_kpa[segment];
+    if (seen.insert(pressure).second) pressures.push_back(pressure);
+  }
+  return pressures;
+}
+
+Prediction predict_design(const Design& design, const std::vector<double>& pressures_kpa, Held held,
+                          bool with_bands) {
   Prediction prediction;
   for (std::size_t i = 0; i < design.segments.size(); ++i) {
     const Segment& segment = design.segments[i];
-    const std::vector<double> pressures =
-        pressures_kpa.empty() ? load_of(design, i) : pressures_kpa;
+    const std::vector<double> pressures = segment_pressures_kpa(design, i, pressures_kpa);
     SegmentPrediction result{pressures, predict(segment, design.model, pressures, held), {}, {}};
     if (with_bands) {
       const Material& liner = segment.liner.material;

@@ -25,9 +25,16 @@ struct Prediction {
   bool complete() const;  ///< every requested state exists
 };
 
-/// Predicts all segments. `pressures_kpa`, when not empty, replaces the design's load and applies
-/// to every segment. Throws UnsupportedDesign, and std::invalid_argument when there is no load at
-/// all.
+/// The design's load cases; with `pressures_kpa`, those instead, each applied to every segment.
+/// Throws std::invalid_argument when there is no load at all.
+std::vector<LoadCase> asked_cases(const Design& design, const std::vector<double>& pressures_kpa);
+
+/// One segment's pressures in asked_cases: distinct ones, in the order in which they first appear.
+std::vector<double> segment_pressures_kpa(const Design& design, std::size_t segment,
+                                          const std::vector<double>& pressures_kpa);
+
+/// Predicts every segment at its segment_pressures_kpa. Throws UnsupportedDesign, and
+/// std::invalid_argument when there is no load at all.
 Prediction predict_design(const Design& design, const std::vector<double>& pressures_kpa, Held held,
                           bool with_bands);
 

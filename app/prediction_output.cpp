@@ -31,6 +31,12 @@ bool bends(const Response& response) {
   });
 }
 
+bool twists(const Response& response) {
+  return std::any_of(response.states.begin(), response.states.end(), [](const auto& state) {
+    return state && (state->twist_rad_per_mm != 0 || state->torque_nmm != 0);
+  });
+}
+
 // "1.30 .. 1.62": the same number at the two ends of the modulus band.
 template <class Number>
 std::string band(const SegmentPrediction& result, std::size_t i, const char* format,
@@ -48,6 +54,7 @@ std::string table_row(const SegmentPrediction& result, std::size_t i, const Segm
   const std::optional<State>& state = result.response.states[i];
   if (!state) return fmt::format("{:9.2f}  no equilibrium\n", result.pressures_kpa[i]);
   const auto turn = [&](const State& s) { return twist_deg(s, segment); };
+  const auto bend = [&](const State& s) { return bend_deg(s, segment); };
   const auto stretch = [](const State& s) { return s.stretch; };
   std::string row =
       fmt::format("{:9.2f} {:8.5f} {:9.3f} {:8.3f} {:8.3f}", state->pressure_kpa, state->stretch,
@@ -61,8 +68,9 @@ std::string table_row(const SegmentPrediction& result, std::size_t i, const Segm
   if (held.stretch) row += fmt::format(" {:9.4f}", state->force_n);
   row += fmt::format("  {:<7} {:8.1e}", state->stable ? "yes" : "no", state->error_estimate);
   if (result.softest || result.stiffest) {
-    row += fmt::format("  {:<18} {}", band(result, i, "{:.3f}", stretch),
-                       band(result, i, "{:.1f}", turn));
+    row += fmt::format("  {:<18}", band(result, i, "{:.3f}", stretch));
+    if (twists(result.response)) row += fmt::format("  {:<18}", band(result, i, "{:.1f}", turn));
+    if (bends(result.response)) row += fmt::format("  {:<18}", band(result, i, "{:.1f}", bend));
   }
   return row + "\n";
 }
@@ -163,7 +171,9 @@ std::string prediction_table(const Design& design, const Prediction& prediction,
     if (held.stretch) text += fmt::format(" {:>9}", "force N");
     text += fmt::format("  {:<7} {:<8}", "stable", "error");
     if (result.softest || result.stiffest) {
-      text += fmt::format("  {:<18} {}", "stretch, band", "twist, band");
+      text += fmt::format("  {:<18}", "stretch, band");
+      if (twists(result.response)) text += fmt::format("  {:<18}", "twist, band");
+      if (bends(result.response)) text += fmt::format("  {:<18}", "bend, band");
     }
     text += "\n";
     for (std::size_t i = 0; i < result.pressures_kpa.size(); ++i) {

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
+#include <set>
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 namespace latticast {
 namespace {
@@ -12,43 +16,101 @@ namespace {
 constexpr Colour lattice_colour{0.16, 0.36, 0.62};
 constexpr Colour liner_colour{0.93, 0.86, 0.76};
 
-State state_at(const Response& response, std::size_t i, std::size_t segment, double pressure) {
-  if (response.states[i]) return *response.states[i];
-  throw NoEquilibrium(
-      fmt::format("preview at {:g} kPa, segment {}: {}", pressure, segment + 1, response.message));
+// More pressures than this in a file's name help nobody.
+constexpr std::size_t most_named_pressures = 6;
+
+std::string case_label(const LoadCase& load, std::size_t number) {
+  const std::vector<double>& pressures = load.pressures_kpa;
+  const bool alike = std::adjacent_find(pressures.begin(), pressures.end(),
+                                        std::not_equal_to<>()) == pressures.end();
+  if (alike) return fmt::format("{}kPa", pressures.front());
+  if (pressures.size() > most_named_pressures) return fmt::format("case-{}", number);
+  return fmt::format("{}kPa", fmt::join(pressures, "_"));
 }
 
-double widest(const std::vector<PicturePart>& parts) {
-  double radius = 0;
-  for (const PicturePart& part : parts) {
-    for (const Point& p : part.mesh.vertices) radius = std::max(radius, std::hypot(p[0], p[1]));
+[[noreturn]] void refuse_case(const ChainResponse& chain, std::size_t load_case) {
+  const std::vector<double>& pressures = chain.cases[load_case].pressures_kpa;
+  std::string text;
+  for (std::size_t s = 0; s < chain.responses.size(); ++s) {
+    if (state_in(chain, load_case, s)) continue;
+    text += fmt::format("{}preview at {:g} kPa, segment {}: {}", text.empty() ? "" : "\n",
+                        pressures[s], s + 1, chain.responses[s].message);
   }
-  return radius;
+  throw NoEquilibrium(text);
+}
+
+// Horizontal direction in which the tips move, all cases together; x when they stay on the axis.
+double bending_plane_rad(const std::vector<PreviewShape>& shapes) {
+  // Opposite bends share a plane: directions are added with their angles doubled.
+  double cosine = 0;
+  double sine = 0;
+  for (const PreviewShape& at : shapes) {
+    const Point tip = at.shape.tip().origin;
+    const double twice = 2 * std::atan2(tip[1], tip[0]);
+    cosine += std::hypot(tip[0], tip[1]) * std::cos(twice);
+    sine += std::hypot(tip[0], tip[1]) * std::sin(twice);
+  }
+  const double length = shapes.back().shape.length_mm();
+  if (std::hypot(cosine, sine) < 1e-3 * length) return 0.5 * std::numbers::pi;
+  return 0.5 * std::atan2(sine, cosine);
+}
+
+// How far a place's parts reach along a horizontal direction.
+struct Reach {
+  double low = HUGE_VAL;
+  double high = -HUGE_VAL;
+};
+
+std::vector<Reach> reaches(const std::vector<PicturePart>& parts, std::size_t places,
+                           double direction_rad) {
+  std::vector<Reach> found(places);
+  const double cosine = std::cos(direction_rad);
+  const double sine = std::sin(direction_rad);
+  for (const PicturePart& part : parts) {
+    Reach& reach = found[part.place];
+    for (const Point& p : part.mesh.vertices) {
+      const double along = p[0] * cosine + p[1] * sine;
+      reach.low = std::min(reach.low, along);
+      reach.high = std::max(reach.high, along);
+    }
+  }
+  return found;
+}
+
+// Where each place's base stands, one place beside the other with a gap between them.
+std::vector<double> standing_places(const std::vector<Reach>& reaches) {
+  double widest = 0;
+  for (const Reach& reach : reaches) widest = std::max(widest, reach.high - reach.low);
+  std::vector<double> places;
+  double edge = 0;
+  for (const Reach& reach : reaches) {
+    places.push_back(edge - reach.low);
+    edge += reach.high - reach.low + 0.3 * widest;
+  }
+  return places;
 }
 
 }  // namespace
 
-std::vector<PressureShape> predict_preview(const Design& design) {
-  const std::vector<double>& pressures = design.make.preview->pressures_kpa;
-  std::vector<Response> responses;
-  for (const Segment& segment : design.segments) {
-    responses.push_back(predict(segment, design.model, pressures));
-  }
-  std::vector<PressureShape> shapes;
-  for (std::size_t i = 0; i < pressures.size(); ++i) {
-    std::vector<State> states;
-    for (std::size_t s = 0; s < design.segments.size(); ++s) {
-      states.push_back(state_at(responses[s], i, s, pressures[i]));
-    }
-    shapes.push_back({pressures[i], Shape(design.segments, states), states});
+std::vector<PreviewShape> predict_preview(const Design& design) {
+  const ChainResponse chain =
+      predict_chain(design.segments, design.model, design.make.preview->cases);
+  std::vector<PreviewShape> shapes;
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < chain.cases.size(); ++i) {
+    const auto states = states_in(chain, i);
+    if (!states) refuse_case(chain, i);
+    const std::string label = case_label(chain.cases[i], i + 1);
+    if (!seen.insert(label).second) continue;
+    shapes.push_back({label, Shape(design.segments, *states), *states});
   }
   return shapes;
 }
 
 SolidOptions preview_options(const Design& design, std::size_t segment, double start_z_mm,
-                             const std::vector<PressureShape>& shapes) {
+                             const std::vector<PreviewShape>& shapes) {
   SolidOptions options{design.output.tolerance_mm, start_z_mm, 0, 1};
-  for (const PressureShape& at : shapes) {
+  for (const PreviewShape& at : shapes) {
     const State& state = at.states[segment];
     // Bending curves the walls too: the mesh is cut as for a twist that curves them as much.
     options.twist_rad_per_mm =
@@ -65,17 +127,20 @@ TriangleMesh moved_mesh(const TriangleMesh& rest, const Shape& shape, std::size_
   return moved;
 }
 
-Image preview_picture(const std::vector<PicturePart>& parts) {
-  const double spacing = 2.7 * widest(parts);
+Image preview_picture(const std::vector<PicturePart>& parts,
+                      const std::vector<PreviewShape>& shapes) {
+  const double plane = bending_plane_rad(shapes);
+  const std::vector<double> places = standing_places(reaches(parts, shapes.size(), plane));
   std::vector<PictureObject> objects;
   objects.reserve(parts.size());
   for (const PicturePart& part : parts) {
+    const double along = places[part.place];
     objects.push_back({part.mesh,
                        part.is_liner ? liner_colour : lattice_colour,
-                       {0, spacing * static_cast<double>(part.place), 0},
+                       {along * std::cos(plane), along * std::sin(plane), 0},
                        1});
   }
-  const Camera camera{{-1, 0, -0.22}, {0, 0, 1}, 12};
+  const Camera camera{{-std::sin(plane), std::cos(plane), -0.22}, {0, 0, 1}, 12};
   return draw_picture(objects, camera);
 }
 

@@ -3,11 +3,12 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "export/picture.h"
 #include "geometry/solid/tube_solids.h"
-#include "model/shape.h"
+#include "model/chain.h"
 #include "spec/design.h"
 
 namespace latticast {
@@ -18,19 +19,20 @@ struct NoEquilibrium : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The chain's shape at one pressure, applied to every segment.
-struct PressureShape {
-  double pressure_kpa = 0;
+/// The chain's shape in one load case.
+struct PreviewShape {
+  std::string label;  ///< the case as file names write it: "20kPa", or "25_32kPa" for two segments
   Shape shape;
   std::vector<State> states;  ///< one per segment
 };
 
-/// Shapes at the pressures that [make] preview names. Throws NoEquilibrium, UnsupportedDesign.
-std::vector<PressureShape> predict_preview(const Design& design);
+/// Shapes in the cases that [make] preview names, each case once. Throws NoEquilibrium,
+/// UnsupportedDesign.
+std::vector<PreviewShape> predict_preview(const Design& design);
 
 /// How a segment's rest meshes must be cut so that they keep the tolerance in all of the shapes.
 SolidOptions preview_options(const Design& design, std::size_t segment, double start_z_mm,
-                             const std::vector<PressureShape>& shapes);
+                             const std::vector<PreviewShape>& shapes);
 
 /// Every vertex moved by the shape, as part of `segment`.
 TriangleMesh moved_mesh(const TriangleMesh& rest, const Shape& shape, std::size_t segment);
@@ -42,7 +44,8 @@ struct PicturePart {
   bool is_liner = false;
 };
 
-/// Draws the shapes side by side, resting on one level.
-Image preview_picture(const std::vector<PicturePart>& parts);
+/// Draws the shapes side by side, seen square to the plane in which most of them bend.
+Image preview_picture(const std::vector<PicturePart>& parts,
+                      const std::vector<PreviewShape>& shapes);
 
 }  // namespace latticast

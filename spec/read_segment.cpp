@@ -75,7 +75,7 @@ std::vector<double> read_widths(Section& table, const Field& width) {
   return std::vector<double>(strands.value_or(0), every_width);
 }
 
-Grid read_grid(Section table, const Segment& segment) {
+Grid read_grid(Section table, const Segment& segment, ColumnModel columns) {
   Grid grid;
   const Field angle = table.need("angle", "angle = 36");
   const Field width = table.need("width", "width = 2");
@@ -84,7 +84,9 @@ Grid read_grid(Section table, const Segment& segment) {
   const Field horseshoe = table.may("horseshoe");
   grid.horseshoe = read_horseshoe(horseshoe);
   table.refuse_unknown_keys();
-  check_strand_gaps(grid, segment, width);
+  // Effective rods stand for columns of any width; drawing such columns finds their overlap.
+  const bool stands_for_columns = columns == ColumnModel::rods && grid.horseshoe;
+  if (!stands_for_columns) check_strand_gaps(grid, segment, width);
   check_strand_turns(grid, segment, angle);
   check_horseshoe_arcs(grid, segment, horseshoe);
   return grid;
@@ -101,7 +103,8 @@ Material read_lattice_material(const Field& field, const MaterialLibrary& librar
   return *material;
 }
 
-void read_lattice(Section table, const MaterialLibrary& library, Segment& segment) {
+void read_lattice(Section table, const MaterialLibrary& library, ColumnModel columns,
+                  Segment& segment) {
   // In place, because the grids' rules need the layer's radius.
   Lattice& lattice = segment.lattice.emplace();
   lattice.thickness_mm = table.need("thickness", "thickness = 2").number(limits::length);
@@ -115,7 +118,7 @@ void read_lattice(Section table, const MaterialLibrary& library, Segment& segmen
   const Field grid = table.may("grid");
   constexpr std::string_view grid_hint = "start each family with a line [[segment.lattice.grid]]";
   for (const Field& item : grid.items(1, limits::families, grid_hint)) {
-    lattice.grids.push_back(read_grid(item.section(grid_hint), segment));
+    lattice.grids.push_back(read_grid(item.section(grid_hint), segment, columns));
   }
   table.refuse_unknown_keys();
   if (table.present() && !rings.present() && !grid.present()) {
@@ -133,7 +136,7 @@ Segment read_segment(Section table, const MaterialLibrary& library, ColumnModel 
   const Field lattice = table.may("lattice");
   segment.liner = read_liner(liner.section("start with a line [segment.liner]"), library, columns);
   if (lattice.present()) {
-    read_lattice(lattice.section("start with a line [segment.lattice]"), library, segment);
+    read_lattice(lattice.section("start with a line [segment.lattice]"), library, columns, segment);
   }
   table.refuse_unknown_keys();
   return segment;
