@@ -65,6 +65,20 @@ holds awk -F, 'NR == 2 && !($4 == 0 && $10 > 800) { exit 1 }' "$work/out"
 expect 0 "$program" predict "$design" --format csv --hold stretch --pressure 20
 holds awk -F, 'NR == 2 && !($3 == 1 && $16 != 0) { exit 1 }' "$work/out"
 expect 0 "$program" predict "$design" --hold bend --pressure 20
+expect 2 "$program" predict "$design" --hold tip --pressure 20
+err_says "bend in one plane"
+expect 2 "$program" predict "$design" --hold tip,twist --pressure 20
+err_says "one after the other"
+expect 2 "$program" predict "$design" --hold twist --shape tip
+err_says "leave --hold out"
+expect 0 "$program" predict chain.toml --shape tip
+says "pressure_2_kPa"
+err_says "1 of 1 cases have an equilibrium; the tip is 0 to 0 mm off"
+expect 0 "$program" predict chain.toml --shape centre-line --format json
+says '"rest_mm": 170'
+expect 3 "$program" predict chain.toml --shape tip --pressure 10,500 --format csv
+holds test "$(wc -l <"$work/out")" -eq 2
+err_says "1 of 2 cases"
 expect 3 "$program" predict "$design" --pressure 0:200:50
 err_says "limit point (ballooning) at 104."
 says "no equilibrium"
@@ -82,9 +96,12 @@ sed 's/angle = 36/angle = 200/; s/thickness = 2/thickness = -2/; s/inner_radius 
 expect 2 "$program" build bad.toml -o bad
 for fragment in lenght nan thickness angle hei-cast-84000 "problems in bad.toml"; do err_says "$fragment"; done
 holds test ! -e bad
-sed 's/    angle = 36/    angle = 36\n    horseshoe = { radius = 2.656 }/' "$design" >horseshoe.toml
+sed 's/    angle = 36/    angle = 36\n    horseshoe = { radius = 2.5 }/' "$design" >horseshoe.toml
 expect 2 "$program" build horseshoe.toml -o bad
-err_says "horseshoe"
+err_says "the lattice cannot be drawn"
+err_says "segment 1"
+err_says "radius"
+holds test ! -e bad
 sed 's/liner = true/liner_mold = { wall = 5 }/' "$design" >mold.toml
 expect 2 "$program" build mold.toml -o bad
 err_says "cannot make yet"
@@ -92,6 +109,10 @@ expect 0 "$program" build mold.toml -o without_mold --only lattice
 sed 's/"stl", "obj"/"glb"/' "$design" >glb.toml
 expect 2 "$program" build glb.toml -o bad
 err_says "glb"
+sed 's/pressures = \[10\]/pressures = [10, [5, 10], 10]/' chain.toml >apart.toml
+expect 0 "$program" build apart.toml -o apart --only preview
+says "twisting-36-segment-2-preview-5_10kPa-liner.stl: closed, 1 piece"
+holds test "$(find apart -name '*-preview-10kPa-*.stl' | wc -l)" -eq 4
 sed 's/pressures = \[0, 20, 40\]/pressures = [500]/' "$design" >burst.toml
 expect 3 "$program" build burst.toml -o bad
 err_says "500 kPa"
