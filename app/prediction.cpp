@@ -52,6 +52,7 @@ std::vector<LoadCase> asked_cases(const Design& design, const std::vector<double
   }
   if (pressures_kpa.empty()) return design.load;
   std::vector<LoadCase> cases;
+  cases.reserve(pressures_kpa.size());
   for (const double pressure : pressures_kpa) {
     cases.push_back({std::vector<double>(design.segments.size(), pressure)});
   }
