@@ -21,7 +21,7 @@ struct FarPoint {
   std::int64_t z = 0;
 };
 
-ArrangedEdge ordered(GridPoint a, GridPoint b, int winding) {
+ArrangedEdge ordered(GridPoint a, GridPoint b, std::int64_t winding) {
   return a < b ? ArrangedEdge{a, b, winding} : ArrangedEdge{b, a, -winding};
 }
 
@@ -40,19 +40,19 @@ class Cutter {
   Cutter(const PlaneGrid& grid, std::span<const std::int32_t> cuts, std::vector<Column>& columns)
       : grid_(grid), cuts_(cuts), columns_(columns) {}
 
-  void add_outline(const std::vector<PlanePoint>& outline) {
+  void add_outline(const std::vector<PlanePoint>& outline, std::int64_t winding) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const FarPoint from = to_grid(outline[i], grid_);
       const FarPoint to = to_grid(outline[(i + 1) % outline.size()], grid_);
       // Cut points are computed from the lower-left end, so that two outlines sharing an edge in
       // opposite directions share its cut points as well.
       const bool forward = from.u < to.u || (from.u == to.u && from.z < to.z);
-      add_edge(forward ? from : to, forward ? to : from, forward ? 1 : -1);
+      add_edge(forward ? from : to, forward ? to : from, forward ? winding : -winding);
     }
   }
 
  private:
-  void add_edge(FarPoint a, FarPoint b, int winding) {
+  void add_edge(FarPoint a, FarPoint b, std::int64_t winding) {
     if (a.u == b.u) {
       if (a.u % grid_.column_steps != 0) add_piece(a, b, winding);
       return;
@@ -70,7 +70,7 @@ class Cutter {
   }
 
   // A piece within one column; cut further where it passes a height.
-  void add_piece(FarPoint a, FarPoint b, int winding) {
+  void add_piece(FarPoint a, FarPoint b, std::int64_t winding) {
     const std::int64_t width = grid_.column_steps;
     const std::int64_t column = a.u / width - (a.u % width < 0);
     const auto local = [&](FarPoint p) {
@@ -92,7 +92,7 @@ class Cutter {
   }
 
   // A steep piece that starts on a column line may have its first part rounded onto the line.
-  void add_part(Column& pieces, GridPoint from, GridPoint to, int winding) const {
+  void add_part(Column& pieces, GridPoint from, GridPoint to, std::int64_t winding) const {
     if (from == to) return;
     const ArrangedEdge part = ordered(from, to, winding);
     if (!on_column_line(part, grid_.column_steps)) pieces.push_back(part);
@@ -325,7 +325,7 @@ void snap_until_clean(Arrangement& plane) {
 }
 
 // How many pieces the column lines and the cuts will make of the outlines, before any is made.
-double expected_pieces(const Pattern& pattern, const PlaneGrid& grid, std::size_t cuts) {
+double outline_pieces(const Pattern& pattern, const PlaneGrid& grid, std::size_t cuts) {
   const double column_width = pattern.circumference_mm / grid.columns;
   const double cut_spacing = pattern.length_mm / static_cast<double>(cuts + 1);
   double pieces = 0;
@@ -336,14 +336,16 @@ double expected_pieces(const Pattern& pattern, const PlaneGrid& grid, std::size_
       pieces += 1 + std::abs(to.u - from.u) / column_width + std::abs(to.z - from.z) / cut_spacing;
     }
   }
-  return pieces + static_cast<double>(cuts) * grid.columns;
+  return pieces;
 }
 
 }  // namespace
 
-Arrangement arrange(const Pattern& pattern, const PlaneGrid& grid,
+Arrangement arrange(std::span<const Pattern> sheets, const PlaneGrid& grid,
                     std::span<const std::int32_t> cuts) {
-  if (const double pieces = expected_pieces(pattern, grid, cuts.size()); !(pieces <= most_pieces)) {
+  double pieces = static_cast<double>(cuts.size()) * grid.columns;
+  for (const Pattern& pattern : sheets) pieces += outline_pieces(pattern, grid, cuts.size());
+  if (!(pieces <= most_pieces)) {
     throw GeometryError("the lattice would need about " +
                         std::to_string(std::llround(pieces / 1e6)) +
                         " million outline pieces; the limit is 20 million: use fewer strands, a "
@@ -351,13 +353,22 @@ Arrangement arrange(const Pattern& pattern, const PlaneGrid& grid,
   }
   Arrangement plane{grid, {cuts.begin(), cuts.end()}, std::vector<Column>(grid.columns)};
   Cutter cutter(grid, cuts, plane.columns);
-  for (const Strand& strand : pattern.strands) cutter.add_outline(strand.outline);
+  for (std::size_t sheet = 0; sheet < sheets.size(); ++sheet) {
+    for (const Strand& strand : sheets[sheet].strands) {
+      cutter.add_outline(strand.outline, winding_on(static_cast<int>(sheet)));
+    }
+  }
   for (Column& column : plane.columns) {
     for (const std::int32_t z : cuts) column.push_back({{0, z}, {grid.column_steps, z}, 0});
     merge_equal(column);
   }
   snap_until_clean(plane);
   return plane;
+}
+
+Arrangement arrange(const Pattern& pattern, const PlaneGrid& grid,
+                    std::span<const std::int32_t> cuts) {
+  return arrange(std::span(&pattern, 1), grid, cuts);
 }
 
 }  // namespace latticast

@@ -12,13 +12,30 @@
 
 namespace latticast {
 
+/// Patterns that are arranged together, each on a sheet of its own.
+inline constexpr int most_sheets = 4;
+
+/// The winding number that an outline of sheet `sheet` counts with. One number carries those of all
+/// sheets, 16 bits for each: sums of it are sums on every sheet.
+constexpr std::int64_t winding_on(int sheet) {
+  return std::int64_t{1} << (16 * sheet);
+}
+
+/// The winding number of one sheet within the sum; right between -32768 and 32767.
+constexpr int winding_of_sheet(std::int64_t winding, int sheet) {
+  for (int below = 0; below < sheet; ++below) {
+    winding = (winding - static_cast<std::int16_t>(winding & 0xFFFF)) >> 16;
+  }
+  return static_cast<std::int16_t>(winding & 0xFFFF);
+}
+
 /// A piece of outline inside one column, a < b. Crossing it from its right side to its left side
 /// (for an edge that runs along u: from below to above) changes the winding number by `winding`; a
 /// cut line has winding 0.
 struct ArrangedEdge {
   GridPoint a;
   GridPoint b;
-  int winding = 0;
+  std::int64_t winding = 0;
 };
 
 /// Column by column. Pieces that lie on a column line are left out: what is inside on either side
@@ -35,7 +52,7 @@ struct GeometryError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Rounds the pattern's outlines to the grid, cuts them at every column line and at the heights
+/// Rounds the patterns' outlines to the grid, cuts them at every column line and at the heights
 /// `cuts` (grid steps, ascending, inside the segment), and at each other.
 ///
 /// Guarantees: no two edges of a column cross or overlap; every grid point that is an end of an
@@ -43,6 +60,11 @@ struct GeometryError : std::runtime_error {
 /// columns. No edge moves by more than a few grid steps. The winding of each outline is preserved.
 /// Method: iterated snap rounding (D. Halperin, E. Packer, Comput. Geom. 23, 2002).
 /// Time n log n for strands of bounded crossing; throws GeometryError as described there.
+/// Precondition: one to most_sheets patterns of the grid's circumference and length.
+Arrangement arrange(std::span<const Pattern> sheets, const PlaneGrid& grid,
+                    std::span<const std::int32_t> cuts = {});
+
+/// The same for a single sheet.
 Arrangement arrange(const Pattern& pattern, const PlaneGrid& grid,
                     std::span<const std::int32_t> cuts = {});
 

@@ -25,12 +25,12 @@ using Cells = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
     CGAL::No_constraint_intersection_tag>;
 
-// An edge of one column by vertex number, with material on its left; a cut line has it on both
-// sides.
+// An edge of one column by vertex number, and what of this column is material beside it.
 struct ColumnEdge {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
-  bool is_outline = true;
+  Layers left = 0;
+  Layers right = 0;
 };
 
 // Numbers the vertices of a region and collects each column's edges.
@@ -58,9 +58,17 @@ class Builder {
     for (std::uint32_t i = 0; i + 1 < points.size(); ++i) {
       if (points[i].inside_before == points[i].inside_after) continue;
       const std::uint32_t low = first_on_line_[line] + i;
-      if (points[i].inside_before) mesh_.outline.push_back({low, low + 1});
-      if (points[i].inside_after) mesh_.outline.push_back({low + 1, low});
+      add_outline({low, low + 1, points[i].inside_before, points[i].inside_after});
     }
+  }
+
+  // Turned so that there is material on the left.
+  void add_outline(OutlineEdge edge) {
+    if (edge.left == 0) {
+      std::swap(edge.from, edge.to);
+      std::swap(edge.left, edge.right);
+    }
+    mesh_.outline.push_back(edge);
   }
 
   void add_column(int column) {
@@ -83,20 +91,21 @@ class Builder {
   std::vector<ColumnEdge> column_edges(int column) {
     std::vector<ColumnEdge> bounds;
     for (const RegionEdge& edge : region_.columns[column]) {
-      std::uint32_t a = index_of(column, edge.a);
-      std::uint32_t b = index_of(column, edge.b);
-      if (!edge.inside_left) std::swap(a, b);
-      bounds.push_back({a, b, edge.is_outline()});
-      if (edge.is_outline()) mesh_.outline.push_back({a, b});
+      const std::uint32_t a = index_of(column, edge.a);
+      const std::uint32_t b = index_of(column, edge.b);
+      bounds.push_back({a, b, edge.inside_left, edge.inside_right});
+      if (edge.is_outline()) add_outline({a, b, edge.inside_left, edge.inside_right});
     }
     const int next = (column + 1) % region_.grid.columns;
     for (std::uint32_t i = 0; i + 1 < lines_[column].size(); ++i) {
       const std::uint32_t low = first_on_line_[column] + i;
-      if (lines_[column][i].inside_after) bounds.push_back({low + 1, low, true});
+      const Layers inside = lines_[column][i].inside_after;
+      if (inside != 0) bounds.push_back({low + 1, low, inside, 0});
     }
     for (std::uint32_t i = 0; i + 1 < lines_[next].size(); ++i) {
       const std::uint32_t low = first_on_line_[next] + i;
-      if (lines_[next][i].inside_before) bounds.push_back({low, low + 1, true});
+      const Layers inside = lines_[next][i].inside_before;
+      if (inside != 0) bounds.push_back({low, low + 1, inside, 0});
     }
     return bounds;
   }
@@ -153,7 +162,8 @@ class Builder {
     raise_low_triangles(cells);
     for (const auto face : cells.all_face_handles()) face->info() = false;
     for (const ColumnEdge& edge : bounds) {
-      fill_from(cells, handle_of(edge.from), handle_of(edge.to));
+      if (edge.left != 0) fill_from(cells, handle_of(edge.from), handle_of(edge.to), edge.left);
+      if (edge.right != 0) fill_from(cells, handle_of(edge.to), handle_of(edge.from), edge.right);
     }
   }
 
@@ -207,7 +217,7 @@ class Builder {
   }
 
   // Adds the material that lies on the left of an edge and has not been reached yet.
-  void fill_from(Cells& cells, Cells::Vertex_handle from, Cells::Vertex_handle to) {
+  void fill_from(Cells& cells, Cells::Vertex_handle from, Cells::Vertex_handle to, Layers layers) {
     Cells::Face_handle face;
     int side = 0;
     // The face found lies on the edge's left: is_edge gives it with from = cw(side), so turned
@@ -223,6 +233,7 @@ class Builder {
       mesh_.triangles.push_back({numbers_[face->vertex(0)->info()],
                                  numbers_[face->vertex(1)->info()],
                                  numbers_[face->vertex(2)->info()]});
+      mesh_.layers.push_back(layers);
       for (int i = 0; i < 3; ++i) {
         if (!face->is_constrained(i)) pending.push_back(face->neighbor(i));
       }

@@ -15,14 +15,23 @@ struct PlaneMeshVertex {
   GridPoint point;
 };
 
-/// Triangles are counter-clockwise seen from outside the tube. Outline edges run with the material
-/// on their left; each closes into loops. Vertices are ordered by line, then by column: the same
-/// for every run and machine.
+/// An edge between different layers, or between material and none.
+struct OutlineEdge {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+  Layers left = 0;  ///< layers that are material on the left of from -> to; never none
+  Layers right = 0;
+};
+
+/// Triangles are counter-clockwise seen from outside the tube. Outline edges run with material on
+/// their left; those of each layer close into loops. Vertices are ordered by line, then by column:
+/// the same for every run and machine.
 struct PlaneMesh {
   PlaneGrid grid;
   std::vector<PlaneMeshVertex> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  std::vector<std::array<std::uint32_t, 2>> outline;
+  std::vector<Layers> layers;  ///< of each triangle
+  std::vector<OutlineEdge> outline;
 };
 
 /// Triangulates the inside of a region; constrained Delaunay, column by column (CGAL), with some

@@ -60,9 +60,9 @@ class WindingSweep {
     const auto at = std::partition_point(status_.begin(), status_.end(), [&](std::uint32_t other) {
       return turn(edges_[other].a, edges_[other].b, vertex) > 0;
     });
-    int winding = at == status_.begin() ? 0 : above_[*(at - 1)];
+    std::int64_t winding = at == status_.begin() ? 0 : above_[*(at - 1)];
     for (const std::uint32_t edge : starting) {
-      const int below = winding;
+      const std::int64_t below = winding;
       winding += edges_[edge].winding;
       above_[edge] = winding;
       visit(edges_[edge], below, winding);
@@ -71,29 +71,45 @@ class WindingSweep {
   }
 
   const std::vector<ArrangedEdge>& edges_;
-  std::vector<int> above_;             // winding number on the left of each edge
+  std::vector<std::int64_t> above_;    // winding number on the left of each edge
   std::vector<std::uint32_t> status_;  // edges that the sweep line meets, from below
 };
 
+// Bit s: sheet s covers the place.
+unsigned covering_sheets(std::int64_t winding) {
+  unsigned sheets = 0;
+  for (int sheet = 0; sheet < most_sheets; ++sheet) {
+    if (winding_of_sheet(winding, sheet) > 0) sheets |= 1U << sheet;
+  }
+  return sheets;
+}
+
 std::vector<RegionEdge> region_edges(const std::vector<ArrangedEdge>& edges,
-                                     const std::vector<std::int32_t>& cuts) {
+                                     const std::vector<std::int32_t>& cuts,
+                                     const Filling& filling) {
   std::vector<RegionEdge> kept;
-  WindingSweep(edges).run([&](const ArrangedEdge& edge, int below, int above) {
-    const RegionEdge side{edge.a, edge.b, above > 0, below > 0};
+  WindingSweep(edges).run([&](const ArrangedEdge& edge, std::int64_t below, std::int64_t above) {
+    const RegionEdge side{edge.a, edge.b, filling(covering_sheets(above)),
+                          filling(covering_sheets(below))};
     const bool on_cut =
         edge.a.z == edge.b.z && std::binary_search(cuts.begin(), cuts.end(), edge.a.z);
-    if (side.is_outline() || (side.inside_left && on_cut)) kept.push_back(side);
+    if (side.is_outline() || (side.inside_left != 0 && on_cut)) kept.push_back(side);
   });
   return kept;
 }
 
-Region region_of(const Arrangement& plane) {
+Region region_of(const Arrangement& plane, const Filling& filling) {
   Region region{plane.grid, {}};
   region.columns.reserve(plane.columns.size());
   for (const auto& column : plane.columns) {
-    region.columns.push_back(region_edges(column, plane.cuts));
+    region.columns.push_back(region_edges(column, plane.cuts, filling));
   }
   return region;
+}
+
+// A single sheet is layer 0 itself.
+Layers same_as_sheets(unsigned sheets) {
+  return sheets;
 }
 
 struct PlaneVertex {
@@ -116,34 +132,57 @@ PlaneVertex vertex_of(const PlaneGrid& grid, int column, GridPoint point) {
   return {column, point};
 }
 
-// Calls visit(vertex, vertex) for every outline edge, those along column lines included.
+// Calls visit(vertex, vertex, layers that end there) for every outline edge, those along column
+// lines included.
 template <class Visit>
 void for_each_outline_edge(const Region& region, Visit&& visit) {
   for (int c = 0; c < region.grid.columns; ++c) {
     for (const RegionEdge& edge : region.columns[c]) {
       if (!edge.is_outline()) continue;
-      visit(vertex_of(region.grid, c, edge.a), vertex_of(region.grid, c, edge.b));
+      visit(vertex_of(region.grid, c, edge.a), vertex_of(region.grid, c, edge.b),
+            edge.inside_left ^ edge.inside_right);
     }
     const std::vector<LinePoint> points = line_points(region, c);
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
       if (points[i].inside_before == points[i].inside_after) continue;
-      visit(PlaneVertex{c, {0, points[i].z}}, PlaneVertex{c, {0, points[i + 1].z}});
+      visit(PlaneVertex{c, {0, points[i].z}}, PlaneVertex{c, {0, points[i + 1].z}},
+            points[i].inside_before ^ points[i].inside_after);
     }
   }
 }
 
 using VertexIndex = std::unordered_map<PlaneVertex, std::uint32_t, PlaneVertexHash>;
 
-// Points where more than two outline edges meet: material touches itself there and nowhere around.
+// Outline edges of every layer that meet in a vertex, eight bits a layer.
+using OutlineDegrees = std::uint64_t;
+constexpr int most_layers = 8;
+
+OutlineDegrees one_edge_of(Layers layers) {
+  OutlineDegrees degrees = 0;
+  for (int layer = 0; layer < most_layers; ++layer) {
+    degrees |= OutlineDegrees{(layers >> layer) & 1U} << (8 * layer);
+  }
+  return degrees;
+}
+
+bool any_above_two(OutlineDegrees degrees) {
+  for (; degrees != 0; degrees >>= 8) {
+    if ((degrees & 0xFF) > 2) return true;
+  }
+  return false;
+}
+
+// Points where more than two outline edges of a layer meet: its material touches itself there and
+// nowhere around.
 std::vector<PlaneVertex> touching_points(const Region& region) {
-  std::unordered_map<PlaneVertex, int, PlaneVertexHash> degree;
-  for_each_outline_edge(region, [&](const PlaneVertex& a, const PlaneVertex& b) {
-    ++degree[a];
-    ++degree[b];
+  std::unordered_map<PlaneVertex, OutlineDegrees, PlaneVertexHash> degree;
+  for_each_outline_edge(region, [&](const PlaneVertex& a, const PlaneVertex& b, Layers layers) {
+    degree[a] += one_edge_of(layers);
+    degree[b] += one_edge_of(layers);
   });
   std::vector<PlaneVertex> points;
-  for (const auto& [vertex, count] : degree) {
-    if (count > 2) points.push_back(vertex);
+  for (const auto& [vertex, degrees] : degree) {
+    if (any_above_two(degrees)) points.push_back(vertex);
   }
   std::sort(points.begin(), points.end(), [](const PlaneVertex& a, const PlaneVertex& b) {
     return a.column != b.column ? a.column < b.column : a.point < b.point;
@@ -162,20 +201,19 @@ Strand diamond(const PlaneGrid& grid, const PlaneVertex& at, double half) {
            {u - half, z}}};
 }
 
-std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
+struct ClosedPattern {
+  Pattern pattern;
+  Region region;
+};
 
-}  // namespace
-
-Region unite(Pattern pattern, const PlaneGrid& grid, std::span<const std::int32_t> cuts,
-             double closing_mm) {
+// Adds diamonds until nothing touches itself in a point.
+ClosedPattern close_touching(Pattern pattern, const PlaneGrid& grid,
+                             std::span<const std::int32_t> cuts, double closing_mm) {
   const double half = std::max(closing_mm, 16 * std::max(grid.u_step_mm, grid.z_step_mm));
   for (int round = 0; round < most_closing_rounds; ++round) {
-    Region region = region_of(arrange(pattern, grid, cuts));
+    Region region = region_of(arrange(pattern, grid, cuts), same_as_sheets);
     const std::vector<PlaneVertex> points = touching_points(region);
-    if (points.empty()) return region;
+    if (points.empty()) return {std::move(pattern), std::move(region)};
     for (const PlaneVertex& point : points) pattern.strands.push_back(diamond(grid, point, half));
   }
   throw GeometryError(
@@ -183,22 +221,52 @@ Region unite(Pattern pattern, const PlaneGrid& grid, std::span<const std::int32_
       "width slightly");
 }
 
+std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
+  while (parent[i] != i) i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+}  // namespace
+
+Pattern closed_pattern(Pattern pattern, const PlaneGrid& grid, double closing_mm) {
+  return close_touching(std::move(pattern), grid, {}, closing_mm).pattern;
+}
+
+Region unite(Pattern pattern, const PlaneGrid& grid, std::span<const std::int32_t> cuts,
+             double closing_mm) {
+  return close_touching(std::move(pattern), grid, cuts, closing_mm).region;
+}
+
+Region layered_region(std::span<const Pattern> sheets, const PlaneGrid& grid,
+                      std::span<const std::int32_t> cuts, const Filling& filling) {
+  Region region = region_of(arrange(sheets, grid, cuts), filling);
+  if (const std::vector<PlaneVertex> points = touching_points(region); !points.empty()) {
+    const PlaneVertex& first = points.front();
+    const double turn = (first.column + static_cast<double>(first.point.u) / grid.column_steps) /
+                        static_cast<double>(grid.columns);
+    throw GeometryError("material touches itself in a point, at " + std::to_string(360 * turn) +
+                        " degrees around the tube and z = " +
+                        std::to_string(first.point.z * grid.z_step_mm) + " mm");
+  }
+  return region;
+}
+
 std::vector<LinePoint> line_points(const Region& region, int line) {
   const int before = (line + region.grid.columns - 1) % region.grid.columns;
-  std::vector<LinePoint> points;  // the flags first say: does an outline edge end here?
+  std::vector<LinePoint> points;  // first they say which layers' outline edges end here
   for (const RegionEdge& edge : region.columns[before]) {
     if (edge.b.u == region.grid.column_steps) {
-      points.push_back({edge.b.z, edge.is_outline(), false});
+      points.push_back({edge.b.z, edge.inside_left ^ edge.inside_right, 0});
     }
   }
   for (const RegionEdge& edge : region.columns[line]) {
-    if (edge.a.u == 0) points.push_back({edge.a.z, false, edge.is_outline()});
+    if (edge.a.u == 0) points.push_back({edge.a.z, 0, edge.inside_left ^ edge.inside_right});
   }
   std::sort(points.begin(), points.end(), [](auto& p, auto& q) { return p.z < q.z; });
   // Going up along a line, each outline edge that ends on it is crossed once.
   std::size_t kept = 0;
-  bool inside_before = false;
-  bool inside_after = false;
+  Layers inside_before = 0;
+  Layers inside_after = 0;
   for (const LinePoint& point : points) {
     inside_before ^= point.inside_before;
     inside_after ^= point.inside_after;
@@ -209,14 +277,15 @@ std::vector<LinePoint> line_points(const Region& region, int line) {
   return points;
 }
 
-double area_mm2(const Region& region) {
+double area_mm2(const Region& region, int layer) {
+  const Layers wanted = Layers{1} << layer;
   std::int64_t twice_steps = 0;
   for (const auto& column : region.columns) {
     for (const RegionEdge& edge : column) {
-      if (!edge.is_outline()) continue;
+      if (((edge.inside_left ^ edge.inside_right) & wanted) == 0) continue;
       const std::int64_t under =
           std::int64_t{edge.b.u - edge.a.u} * (std::int64_t{edge.a.z} + edge.b.z);
-      twice_steps += edge.inside_right ? under : -under;
+      twice_steps += (edge.inside_right & wanted) != 0 ? under : -under;
     }
   }
   return 0.5 * static_cast<double>(twice_steps) * region.grid.u_step_mm * region.grid.z_step_mm;
@@ -231,7 +300,8 @@ int outline_loops(const Region& region) {
     return at->second;
   };
   int loops = 0;
-  for_each_outline_edge(region, [&](const PlaneVertex& a, const PlaneVertex& b) {
+  for_each_outline_edge(region, [&](const PlaneVertex& a, const PlaneVertex& b, Layers layers) {
+    if ((layers & 1U) == 0) return;
     const std::size_t known = parent.size();
     const std::uint32_t i = find_root(parent, index_of(a));
     const std::uint32_t j = find_root(parent, index_of(b));

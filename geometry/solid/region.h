@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The union of a pattern's strands in the unrolled plane: what is material and what is not.
+// What is material in the unrolled plane and what is not, layer by layer.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -11,20 +12,24 @@
 
 namespace latticast {
 
+/// A set of layers, bit i for layer i. A relief is made of layers one above the other (relief.h);
+/// the union of a pattern's strands has a single one, layer 0.
+using Layers = std::uint32_t;
+
 /// An edge of the region inside one column, a < b. Either its two sides differ (outline) or both
-/// are inside (a cut line across the material).
+/// are inside of the same layers (a cut line across the material).
 struct RegionEdge {
   GridPoint a;
   GridPoint b;
-  bool inside_left = false;  ///< material on the left of a -> b
-  bool inside_right = false;
+  Layers inside_left = 0;  ///< layers that are material on the left of a -> b
+  Layers inside_right = 0;
 
   bool is_outline() const { return inside_left != inside_right; }
 };
 
 /// A planar region on the periodic plane, column by column. Guarantees: edges meet at their ends
-/// only; every outline vertex has exactly two outline edges (no region touches itself or another in
-/// a point).
+/// only; in every layer, an outline vertex has exactly two of the layer's outline edges (no region
+/// touches itself or another in a point).
 struct Region {
   PlaneGrid grid;
   std::vector<std::vector<RegionEdge>> columns;
@@ -34,8 +39,8 @@ struct Region {
 /// line from here up to the next vertex is material seen from either side.
 struct LinePoint {
   std::int32_t z = 0;
-  bool inside_before = false;  ///< in the column on the left of the line
-  bool inside_after = false;
+  Layers inside_before = 0;  ///< in the column on the left of the line
+  Layers inside_after = 0;
 };
 
 /// Unites the strands. Where material touches itself in a single point only, the point is closed
@@ -44,14 +49,27 @@ struct LinePoint {
 Region unite(Pattern pattern, const PlaneGrid& grid, std::span<const std::int32_t> cuts,
              double closing_mm);
 
+/// Which layers are material at a place, from the sheets that cover it there (bit s for sheet s).
+using Filling = std::function<Layers(unsigned sheets)>;
+
+/// The region that `filling` makes of the sheets, whose strands are united on each. Throws
+/// GeometryError (see arrangement.h) also where a layer's material touches itself in a point: the
+/// sheets' edges meet there, and one of them must be moved.
+Region layered_region(std::span<const Pattern> sheets, const PlaneGrid& grid,
+                      std::span<const std::int32_t> cuts, const Filling& filling);
+
+/// The pattern with the diamonds that `unite` would close its touching points with. Throws as unite
+/// does.
+Pattern closed_pattern(Pattern pattern, const PlaneGrid& grid, double closing_mm);
+
 /// The vertices on a column line in ascending z, from both columns. 0 <= line < grid.columns.
 std::vector<LinePoint> line_points(const Region& region, int line);
 
-/// Area in mm^2 at the radius where the plane is unrolled; exact on the grid.
-double area_mm2(const Region& region);
+/// Area of a layer in mm^2 at the radius where the plane is unrolled; exact on the grid.
+double area_mm2(const Region& region, int layer = 0);
 
-/// Number of closed outline curves. A region of c pieces has first Betti number loops - c, which is
-/// the genus of the solid that wraps it.
+/// Number of closed outline curves of layer 0. A region of c pieces has first Betti number loops -
+/// c, which is the genus of the solid that wraps it.
 int outline_loops(const Region& region);
 
 }  // namespace latticast

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+#include <unordered_map>
 
 namespace latticast {
 namespace {
@@ -16,36 +18,70 @@ double corner_factor(double column_angle) {
   return std::sqrt(column_angle / std::sin(column_angle));
 }
 
+std::uint64_t edge_key(const std::array<std::uint32_t, 3>& triangle, int side) {
+  const std::uint64_t a = triangle[side];
+  const std::uint64_t b = triangle[(side + 1) % 3];
+  return (std::min(a, b) << 32U) | std::max(a, b);
+}
+
 // Makes the mesh vertices of plane vertices at radii on demand, and the faces between them.
 class Wrapper {
  public:
-  explicit Wrapper(const Relief& relief)
-      : relief_(relief),
-        grid_(relief.plane.grid),
-        vertex_at_(relief.plane.vertices.size() * relief.radii_mm.size(), unused) {
+  explicit Wrapper(const Relief& relief) : relief_(relief), grid_(relief.plane.grid) {
     const double angle = grid_.column_angle_rad();
     for (int line = 0; line <= grid_.columns; ++line) {
       const int around = line % grid_.columns;
       directions_.push_back({std::cos(around * angle), std::sin(around * angle)});
     }
-    for (const double radius : relief.radii_mm) {
-      corner_radii_.push_back(radius * corner_factor(angle));
+    for (const std::vector<double>& radii : relief.radii_mm) {
+      first_level_.push_back(corner_radii_.empty() ? 0 : corner_radii_.size() - 1);
+      for (std::size_t i = corner_radii_.empty() ? 0 : 1; i < radii.size(); ++i) {
+        corner_radii_.push_back(radii[i] * corner_factor(angle));
+      }
     }
+    first_level_.push_back(corner_radii_.size() - 1);
+    vertex_at_.assign(relief.plane.vertices.size() * corner_radii_.size(), unused);
   }
 
   TriangleMesh run() {
-    const std::size_t top = corner_radii_.size() - 1;
-    for (const auto& [a, b, c] : relief_.plane.triangles) {
-      mesh_.triangles.push_back({vertex(a, top), vertex(b, top), vertex(c, top)});
-      mesh_.triangles.push_back({vertex(a, 0), vertex(c, 0), vertex(b, 0)});
+    for (std::size_t i = 0; i < relief_.plane.triangles.size(); ++i) {
+      add_floors_and_ceilings(relief_.plane.triangles[i], relief_.plane.layers[i]);
     }
-    for (const auto& [from, to] : relief_.plane.outline) {
-      for (std::size_t level = 0; level < top; ++level) add_wall(from, to, level);
-    }
+    for (const OutlineEdge& edge : relief_.plane.outline) add_walls(edge);
     return std::move(mesh_);
   }
 
  private:
+  std::size_t layer_count() const { return first_level_.size() - 1; }
+
+  static bool has(Layers layers, std::size_t layer) { return ((layers >> layer) & 1U) != 0; }
+
+  // A layer under another one, or on one, has no face there.
+  void add_floors_and_ceilings(const std::array<std::uint32_t, 3>& triangle, Layers layers) {
+    const auto [a, b, c] = triangle;
+    for (std::size_t layer = 0; layer < layer_count(); ++layer) {
+      if (!has(layers, layer)) continue;
+      const std::size_t bottom = first_level_[layer];
+      const std::size_t top = first_level_[layer + 1];
+      if (layer + 1 == layer_count() || !has(layers, layer + 1)) {
+        mesh_.triangles.push_back({vertex(a, top), vertex(b, top), vertex(c, top)});
+      }
+      if (layer == 0 || !has(layers, layer - 1)) {
+        mesh_.triangles.push_back({vertex(a, bottom), vertex(c, bottom), vertex(b, bottom)});
+      }
+    }
+  }
+
+  void add_walls(const OutlineEdge& edge) {
+    for (std::size_t layer = 0; layer < layer_count(); ++layer) {
+      if (has(edge.left, layer) == has(edge.right, layer)) continue;
+      const bool forward = has(edge.left, layer);
+      for (std::size_t level = first_level_[layer]; level < first_level_[layer + 1]; ++level) {
+        add_wall(forward ? edge.from : edge.to, forward ? edge.to : edge.from, level);
+      }
+    }
+  }
+
   // The wall under an outline edge with the material on its left, between two neighbouring radii.
   void add_wall(std::uint32_t from, std::uint32_t to, std::size_t level) {
     const std::array<std::uint32_t, 4> corners{vertex(from, level), vertex(to, level),
@@ -101,13 +137,79 @@ class Wrapper {
   const Relief& relief_;
   const PlaneGrid& grid_;
   std::vector<std::array<double, 2>>
-      directions_;  // of the column lines; the last is the first again
-  std::vector<double> corner_radii_;
+      directions_;                        // of the column lines; the last is the first again
+  std::vector<double> corner_radii_;      // of all levels
+  std::vector<std::size_t> first_level_;  // of each layer, and the last level of all
   std::vector<std::uint32_t> vertex_at_;  // mesh vertex of (plane vertex, level)
   TriangleMesh mesh_;
 };
 
+// Pairs of triangles that have all of `layers` and an edge in common.
+template <class Visit>
+void for_each_shared_edge(const PlaneMesh& plane, Layers layers, Visit&& visit) {
+  std::unordered_map<std::uint64_t, std::size_t> first;
+  for (std::size_t i = 0; i < plane.triangles.size(); ++i) {
+    if ((plane.layers[i] & layers) != layers) continue;
+    for (int side = 0; side < 3; ++side) {
+      const auto [known, is_new] = first.try_emplace(edge_key(plane.triangles[i], side), i);
+      if (!is_new) visit(known->second, i);
+    }
+  }
+}
+
+// Of the closed region in which all of `layers` are material: corners - edges + triangles.
+int euler_characteristic(const PlaneMesh& plane, Layers layers) {
+  std::vector<char> used(plane.vertices.size(), 0);
+  int triangles = 0;
+  int shared = 0;
+  for (std::size_t i = 0; i < plane.triangles.size(); ++i) {
+    if ((plane.layers[i] & layers) != layers) continue;
+    ++triangles;
+    for (const std::uint32_t corner : plane.triangles[i]) used[corner] = 1;
+  }
+  for_each_shared_edge(plane, layers, [&](std::size_t, std::size_t) { ++shared; });
+  const auto corners = static_cast<int>(std::count(used.begin(), used.end(), 1));
+  return corners - (3 * triangles - shared) + triangles;
+}
+
 }  // namespace
+
+ReliefTopology topology(const PlaneMesh& plane, int layers) {
+  // Cells are triangles of one layer; the solid's pieces join across edges and between layers.
+  const std::size_t triangles = plane.triangles.size();
+  std::vector<std::uint32_t> parent(triangles * layers);
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  };
+  const auto cell = [&](std::size_t triangle, int layer) {
+    return static_cast<std::uint32_t>(triangle + layer * triangles);
+  };
+  int characteristic = 0;
+  int cells = 0;
+  int joined = 0;
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    if (root(a) == root(b)) return;
+    parent[root(a)] = root(b);
+    ++joined;
+  };
+  for (int layer = 0; layer < layers; ++layer) {
+    const Layers here = Layers{1} << layer;
+    characteristic += euler_characteristic(plane, here);
+    for_each_shared_edge(
+        plane, here, [&](std::size_t a, std::size_t b) { join(cell(a, layer), cell(b, layer)); });
+    for (std::size_t i = 0; i < triangles; ++i) cells += (plane.layers[i] & here) != 0 ? 1 : 0;
+    if (layer + 1 == layers) continue;
+    const Layers both = here | (here << 1);
+    characteristic -= euler_characteristic(plane, both);
+    for (std::size_t i = 0; i < triangles; ++i) {
+      if ((plane.layers[i] & both) == both) join(cell(i, layer), cell(i, layer + 1));
+    }
+  }
+  const int pieces = cells - joined;
+  return {pieces, pieces - characteristic};
+}
 
 TriangleMesh wrap(const Relief& relief) {
   return Wrapper(relief).run();

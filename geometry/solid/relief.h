@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A relief gives a region of the unrolled plane a radial interval; wrapping it around the tube
-// gives a closed solid. Floors, ceilings and walls share vertices, so nothing is left to sew or to
-// intersect.
+// A relief gives the layers of a region of the unrolled plane their radial intervals, one above the
+// other; wrapping it around the tube gives a closed solid. Floors, ceilings and walls share
+// vertices, so nothing is left to sew or to intersect.
 #pragma once
 
 #include <vector>
@@ -13,19 +13,33 @@ namespace latticast {
 
 struct Relief {
   PlaneMesh plane;
-  std::vector<double>
-      radii_mm;           ///< ascending, at least two: floor, levels that divide the walls, ceiling
+  /// Of each layer: ascending, at least two: floor, levels that divide the walls, ceiling. The next
+  /// layer's floor is this one's ceiling.
+  std::vector<std::vector<double>> radii_mm;
   double start_z_mm = 0;  ///< where the segment begins along the actuator
 };
 
+/// What a relief's solid must be, counted in the plane.
+struct ReliefTopology {
+  int pieces = 0;  ///< connected components
+  int genus = 0;   ///< summed over the pieces
+};
+
+/// From the layers alone: a solid M of stacked layers has the Euler characteristic sum of
+/// chi(layer) less sum of chi(what neighbouring layers share), its surface twice that.
+/// Precondition: of two neighbouring layers, one lies within the other.
+ReliefTopology topology(const PlaneMesh& plane, int layers = 1);
+
 /// Wraps a relief into one closed, outward-oriented mesh with shared vertices.
 ///
-/// Guarantees: every edge has two triangles; genus = outline loops - pieces; volume equals region
-/// area x (r_ceiling^2 - r_floor^2) / (2 R), R being the radius where the plane was unrolled, up to
-/// rounding. Columns are flat: their corners lie at radius r sqrt(D / sin D), D the column's angle,
-/// which makes the prism's section exactly as large as the circle's. A wall between two radii is a
-/// twisted quadrangle, filled by four triangles around its middle, which leaves its volume
-/// unbiased; docs/geometry.md derives it.
+/// Guarantees: every edge has two triangles; pieces and genus are those of topology(); volume
+/// equals the sum over layers of area x (r_ceiling^2 - r_floor^2) / (2 R), R being the radius where
+/// the plane was unrolled, up to rounding. Precondition: of two neighbouring layers, one lies
+/// within the other (a groove's floor within its shell), or they would meet in a line. Columns are
+/// flat: their corners lie at radius r sqrt(D / sin D), D the column's angle, which makes the
+/// prism's section exactly as large as the circle's. A wall between two radii is a twisted
+/// quadrangle, filled by four triangles around its middle, which leaves its volume unbiased;
+/// docs/geometry.md derives it.
 TriangleMesh wrap(const Relief& relief);
 
 /// Largest distance between the wrapped surface of radius r and the cylinder, for columns of angle

@@ -92,7 +92,7 @@ void check_widths(const Layer& layer, const PlaneGrid& grid) {
 }
 
 void check_size(const Relief& relief) {
-  const double levels = static_cast<double>(relief.radii_mm.size()) - 1;
+  const double levels = static_cast<double>(relief.radii_mm.front().size()) - 1;
   const double triangles = 2 * static_cast<double>(relief.plane.triangles.size()) +
                            4 * levels * static_cast<double>(relief.plane.outline.size());
   if (triangles <= most_triangles) return;
@@ -111,8 +111,8 @@ Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer laye
   const Cutting cut = cutting(segment, options, grid);
   const Region region = unite(std::move(layer.pattern), grid, cut.heights, options.tolerance_mm);
   const Relief relief{triangulate(region),
-                      wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
-                                 layer.steepness, options.tolerance_mm),
+                      {wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
+                                  layer.steepness, options.tolerance_mm)},
                       options.start_z_mm};
   check_size(relief);
   Solid solid;
