@@ -55,8 +55,9 @@ class Balance {
   /// sideways. Precondition: `at(x)` is not empty.
   LeftOut left_out(std::span<const double> x) const;
 
-  /// Takes more quadrature points; false when there are as many as there may be.
-  bool refine();
+  /// Takes more quadrature points, in R or around the tube or both, wherever the imbalance at `x`
+  /// is not yet good; false when there are as many as there may be.
+  bool refine(std::span<const double> x);
 
   Deformation deformation(std::span<const double> x) const;
   double pressure_mpa(std::span<const double> x) const { return x[free_.size()] * pressure_mpa_; }

@@ -302,7 +302,7 @@ std::optional<CriticalPoint> Branch::limit_point_before(const BranchState& beyon
         distance(found->x, beyond.x) > 1.1 * step) {
       return std::nullopt;
     }
-    if (found->pressure_error <= options_.error_goal || !balance_.refine()) return found;
+    if (found->pressure_error <= options_.error_goal || !balance_.refine(found->x)) return found;
     guess = found->x;
   }
 }
@@ -350,7 +350,7 @@ void Branch::note_turning_points_before(const BranchState& beyond) {
       turning.pressure_error = std::max(turning.pressure_error, error);
       worst = std::max(worst, error);
     }
-    if (worst > turning_goal && balance_.refine()) continue;
+    if (worst > turning_goal && balance_.refine(beyond.x)) continue;
     turning_points_.insert(turning_points_.end(), found.begin(), found.end());
     return;
   }
@@ -383,7 +383,7 @@ bool Branch::note_bifurcation_before(const BranchState& beyond) {
 
 /// Takes a finer quadrature and moves here to its equilibrium at the same pressure.
 bool Branch::refine_here() {
-  if (!balance_.refine()) return false;
+  if (!balance_.refine(here_.x)) return false;
   const auto refined = corrected(here_.x, pressure_axis());
   if (refined) here_ = *refined;
   return refined.has_value();
