@@ -19,7 +19,7 @@ using BranchPoint = std::array<double, coordinate_count + 1>;
 /// The balance at one point; n free coordinates, n x n matrices column after column.
 struct BalanceAt {
   using Vector = std::array<double, coordinate_count>;
-  using Matrix = std::array<double, coordinate_count * coordinate_count>;
+  using Matrix = std::array<double, std::size_t{coordinate_count} * coordinate_count>;
   Vector imbalance{};   ///< scaled dPi/dq over the free coordinates; 0 in equilibrium
   Matrix stiffness{};   ///< scaled d2Pi/dq2
   Vector push{};        ///< scaled dV/dq: what one unit of pressure adds
