@@ -32,22 +32,28 @@ Segment bending_segment(double angle_deg, int columns) {
   return segment_with({angle_deg, widths, Horseshoe{85.0 / 32, 180, true}});
 }
 
-void bending(benchmark::State& bench, double angle_deg) {
-  const PreparedSegment segment =
-      prepare_segment(bending_segment(angle_deg, static_cast<int>(bench.range(0))), {});
+void bending(benchmark::State& bench, const Segment& design) {
+  const PreparedSegment segment = prepare_segment(design, {});
   const std::vector<double> pressure = {30};
   while (bench.KeepRunning()) benchmark::DoNotOptimize(predict(segment, pressure));
 }
 
 void distributed_columns(benchmark::State& bench) {
-  bending(bench, 90);
+  bending(bench, bending_segment(90, static_cast<int>(bench.range(0))));
 }
 BENCHMARK(distributed_columns)->Arg(8)->Arg(16)->Unit(benchmark::kMicrosecond);
 
 void superimposed(benchmark::State& bench) {
-  bending(bench, 60);
+  bending(bench, bending_segment(60, static_cast<int>(bench.range(0))));
 }
-BENCHMARK(superimposed)->Arg(8)->Unit(benchmark::kMicrosecond);
+BENCHMARK(superimposed)->Arg(8)->Arg(16)->Unit(benchmark::kMicrosecond);
+
+/// Widths without a mirror plane: all five unknowns.
+void superimposed_irregular(benchmark::State& bench) {
+  const std::vector<double> widths = {2, 3.5, 3, 2.5, 2, 3.5, 2.5, 2.5};
+  bending(bench, segment_with({60, widths, Horseshoe{85.0 / 32, 180, true}}));
+}
+BENCHMARK(superimposed_irregular)->Unit(benchmark::kMicrosecond);
 
 void ten_thousand_points(benchmark::State& bench) {
   const std::vector<PreparedSegment> segments = {
