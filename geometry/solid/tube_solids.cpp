@@ -7,6 +7,7 @@
 
 #include "geometry/pattern/pattern.h"
 #include "geometry/solid/arrangement.h"
+#include "geometry/solid/fillet.h"
 #include "geometry/solid/region.h"
 #include "geometry/solid/relief.h"
 
@@ -22,7 +23,10 @@ struct Layer {
   double floor_mm = 0;
   double ceiling_mm = 0;
   double steepness = 0;  // of its walls (relief.h)
+  double wall_tolerance_mm = 0;
   double thinnest_strand_mm = HUGE_VAL;
+  double fillet_mm = 0;
+  double flatness_mm = 0;  // of fillets
 };
 
 // How finely a solid must be cut so that it stays within the tolerance, now and when it is
@@ -61,8 +65,16 @@ Cutting cutting(const Segment& segment, const SolidOptions& options, const Plane
   return cut;
 }
 
+// Arcs and fillets run in every direction.
+bool has_arcs(const Lattice& lattice) {
+  return lattice.fillet_mm > 0 ||
+         std::any_of(lattice.grids.begin(), lattice.grids.end(),
+                     [](const Grid& grid) { return grid.horseshoe.has_value(); });
+}
+
 // A helix is steepest at the smallest radius: its rise stays, its way around shrinks.
 double steepest_slant(const Segment& segment) {
+  if (has_arcs(*segment.lattice)) return 1;
   const double shrunk = segment.liner_outer_radius_mm() / segment.lattice_mid_radius_mm();
   double steepest = 0;
   for (const Grid& grid : segment.lattice->grids) {
@@ -108,11 +120,14 @@ Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer laye
       make_plane_grid(circumference, segment.length_mm, columns_of(segment, options),
                       finest_step_mm, options.start_z_mm);
   check_widths(layer, grid);
+  if (layer.fillet_mm > 0) {
+    layer.pattern = with_fillets(layer.pattern, layer.fillet_mm, layer.flatness_mm);
+  }
   const Cutting cut = cutting(segment, options, grid);
   const Region region = unite(std::move(layer.pattern), grid, cut.heights, options.tolerance_mm);
   const Relief relief{triangulate(region),
                       wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
-                                 layer.steepness, options.tolerance_mm),
+                                 layer.steepness, layer.wall_tolerance_mm),
                       options.start_z_mm};
   check_size(relief);
   Solid solid;
@@ -132,17 +147,25 @@ Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer laye
 }  // namespace
 
 Solid lattice_solid(const Segment& segment, const SolidOptions& options) {
+  const Lattice& lattice = *segment.lattice;
+  // Half of the tolerance for an arc's chords, which grow with the radius where they are seen, and
+  // half for the wall that stands on them.
+  const double share = has_arcs(lattice) ? 0.5 : 1;
+  const double flatness = 0.5 * options.tolerance_mm * segment.lattice_mid_radius_mm() /
+                          (segment.outer_radius_mm() * std::max(1.0, options.stretch_radius));
   return wrap_layer(
       segment, options,
-      {draw_lattice(segment, 0.5 * options.tolerance_mm), segment.liner_outer_radius_mm(),
-       segment.outer_radius_mm(), steepest_slant(segment), thinnest_strand_mm(*segment.lattice)});
+      {draw_lattice(segment, flatness), segment.liner_outer_radius_mm(), segment.outer_radius_mm(),
+       steepest_slant(segment), share * options.tolerance_mm, thinnest_strand_mm(lattice),
+       lattice.fillet_mm, flatness});
 }
 
 Solid liner_solid(const Segment& segment, const SolidOptions& options) {
   const double inner = segment.inner_radius_mm();
   const double outer = segment.liner_outer_radius_mm();
   return wrap_layer(segment, options,
-                    {draw_sleeve(0.5 * (inner + outer), segment.length_mm), inner, outer});
+                    {draw_sleeve(0.5 * (inner + outer), segment.length_mm), inner, outer, 0,
+                     options.tolerance_mm});
 }
 
 }  // namespace latticast
