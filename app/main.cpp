@@ -22,6 +22,7 @@
 #include "app/audit_command.h"
 #include "app/build_command.h"
 #include "app/interrupt.h"
+#include "geometry/pattern/pattern.h"
 #include "geometry/solid/arrangement.h"
 #if LATTICAST_HAS_PREDICT
 #include "app/preview.h"
@@ -131,6 +132,9 @@ ExitStatus run_guarded(const CLI::App& app, const CommandLine& typed, const Cons
     console.error(fault.what());
     return ExitStatus::invalid;
 #if LATTICAST_HAS_GEOMETRY
+  } catch (const CannotDraw& fault) {
+    console.error(fault.what());
+    return ExitStatus::invalid;
   } catch (const GeometryError& fault) {
     console.error(fault.what());
     return ExitStatus::check_failed;

@@ -183,11 +183,6 @@ std::vector<std::string> unavailable(const Plan& plan, const Design& design) {
                     "the other parts with --only",
                     name(stage)));
   }
-  if (has_horseshoe(design)) {
-    missing.emplace_back(
-        "the design has horseshoe strands, which this version cannot draw yet: leave "
-        "'horseshoe' out of the grid to make its strands straight");
-  }
   for (const MeshFormat format : design.output.formats) {
     if (format == MeshFormat::stl || format == MeshFormat::obj) continue;
     missing.emplace_back(
