@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Time of every stage from design file to audited mesh file, for the paper's lattice, also with
-// horseshoe columns and fillets, and for one of
-// about twenty times its size.
+// horseshoe columns and fillets, and for one of about twenty times its size.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

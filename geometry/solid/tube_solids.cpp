@@ -4,18 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
+#include "geometry/mesh/weld.h"
 #include "geometry/pattern/pattern.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/fillet.h"
 #include "geometry/solid/region.h"
 #include "geometry/solid/relief.h"
+#include "geometry/solid/self_intersection.h"
 
 namespace latticast {
 namespace {
 
 constexpr double most_triangles = 20e6;
 constexpr double fewest_steps_across = 16;
+constexpr int most_halvings = 4;  // of the levels of grazing walls
 
 // What is drawn, and between which radii it stands.
 struct Layer {
@@ -114,6 +118,29 @@ void check_size(const Relief& relief) {
                       " million: use a coarser tolerance or fewer strands");
 }
 
+bool intersects_itself(const TriangleMesh& mesh) {
+  const TriangleMesh welded = weld(mesh);
+  std::vector<char> degenerate;
+  for (const Triangle& t : welded.triangles) degenerate.push_back(is_degenerate(welded, t));
+  return !self_intersections(welded, degenerate).empty();
+}
+
+// Where outlines cross at a small angle, the space between their walls is smaller than what each
+// of them may leave its surface by. Each halving of their levels halves that.
+void part_grazing_walls(Relief& relief, TriangleMesh& mesh) {
+  for (int round = 0; round < most_halvings && intersects_itself(mesh); ++round) {
+    std::vector<double> finer;
+    for (std::size_t i = 0; i + 1 < relief.radii_mm.size(); ++i) {
+      finer.push_back(relief.radii_mm[i]);
+      finer.push_back(std::midpoint(relief.radii_mm[i], relief.radii_mm[i + 1]));
+    }
+    finer.push_back(relief.radii_mm.back());
+    relief.radii_mm = std::move(finer);
+    check_size(relief);
+    mesh = wrap(relief);
+  }
+}
+
 Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer layer) {
   const double circumference = layer.pattern.circumference_mm;
   const PlaneGrid grid =
@@ -125,13 +152,14 @@ Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer laye
   }
   const Cutting cut = cutting(segment, options, grid);
   const Region region = unite(std::move(layer.pattern), grid, cut.heights, options.tolerance_mm);
-  const Relief relief{triangulate(region),
-                      wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
-                                 layer.steepness, layer.wall_tolerance_mm),
-                      options.start_z_mm};
+  Relief relief{triangulate(region),
+                wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
+                           layer.steepness, layer.wall_tolerance_mm),
+                options.start_z_mm};
   check_size(relief);
   Solid solid;
   solid.mesh = wrap(relief);
+  if (layer.fillet_mm > 0 || layer.steepness == 1) part_grazing_walls(relief, solid.mesh);
   const double height = layer.ceiling_mm - layer.floor_mm;
   const double mid_radius = circumference / (2 * std::numbers::pi);
   const double both_radii = layer.ceiling_mm + layer.floor_mm;
@@ -153,11 +181,21 @@ Solid lattice_solid(const Segment& segment, const SolidOptions& options) {
   const double share = has_arcs(lattice) ? 0.5 : 1;
   const double flatness = 0.5 * options.tolerance_mm * segment.lattice_mid_radius_mm() /
                           (segment.outer_radius_mm() * std::max(1.0, options.stretch_radius));
-  return wrap_layer(
-      segment, options,
-      {draw_lattice(segment, flatness), segment.liner_outer_radius_mm(), segment.outer_radius_mm(),
-       steepest_slant(segment), share * options.tolerance_mm, thinnest_strand_mm(lattice),
-       lattice.fillet_mm, flatness});
+  Layer layer{draw_lattice(segment, flatness),
+              segment.liner_outer_radius_mm(),
+              segment.outer_radius_mm(),
+              steepest_slant(segment),
+              share * options.tolerance_mm,
+              thinnest_strand_mm(lattice),
+              lattice.fillet_mm,
+              flatness};
+  if (options.twist_rad_per_mm != 0 && !lattice.grids.empty()) {
+    // Along a cut's height walls turn as much again as around a column. Flat ones, halved by a
+    // diagonal, then leave their surface by 1/4 of that in place of 1/16.
+    layer.steepness = 1;
+    layer.wall_tolerance_mm /= 4;
+  }
+  return wrap_layer(segment, options, std::move(layer));
 }
 
 Solid liner_solid(const Segment& segment, const SolidOptions& options) {

@@ -143,6 +143,25 @@ TEST(HorseshoeSolid, OfTangentContactsPassesItsAudit) {
   }
 }
 
+// An arc crosses a strip at half a degree: walls from their crossing are far closer to each other
+// than the tolerance, in which each may leave its surface.
+TEST(HorseshoeSolid, OfArcsThatGrazeStripsPassesItsAudit) {
+  Segment segment = example_segment();
+  segment.length_mm = 373.1999384;
+  segment.liner = {10.07634491, 5.580498522, {}};
+  segment.lattice->thickness_mm = 1.534923473;
+  segment.lattice->rings.reset();
+  segment.lattice->grids = {
+      {98.19701245, std::vector<double>(8, 4.307772141), Horseshoe{7.41088668, 78.98490614, true}},
+      {70,
+       {1.25043072, 1.499656597, 1.25813911, 2.143720825, 2.001661745, 1.985588601, 1.218743389,
+        1.776134996, 1.664076109, 1.482037358, 2.035519933, 1.972110447},
+       std::nullopt}};
+  SolidOptions options;
+  options.tolerance_mm = 0.4011845126;
+  ASSERT_NO_FATAL_FAILURE(expect_sound(lattice_solid(segment, options)));
+}
+
 TEST(HorseshoeSolid, CannotBeDrawnWithoutSayingWhy) {
   Segment segment = columns(90, 180, true, 16, {1});
   segment.lattice->grids[0].horseshoe->radius_mm *= 1.02;
