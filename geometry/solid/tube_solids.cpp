@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "geometry/mesh/weld.h"
 #include "geometry/pattern/pattern.h"
@@ -19,7 +18,8 @@ namespace {
 
 constexpr double most_triangles = 20e6;
 constexpr double fewest_steps_across = 16;
-constexpr int most_halvings = 4;  // of the levels of grazing walls
+constexpr double coarser = 4;                 // grid steps where arcs graze other outlines
+constexpr double coarsest_step_share = 0.05;  // of the tolerance
 
 // What is drawn, and between which radii it stands.
 struct Layer {
@@ -31,6 +31,7 @@ struct Layer {
   double thinnest_strand_mm = HUGE_VAL;
   double fillet_mm = 0;
   double flatness_mm = 0;  // of fillets
+  bool has_arcs = false;
 };
 
 // How finely a solid must be cut so that it stays within the tolerance, now and when it is
@@ -125,50 +126,67 @@ bool intersects_itself(const TriangleMesh& mesh) {
   return !self_intersections(welded, degenerate).empty();
 }
 
-// Where outlines cross at a small angle, the space between their walls is smaller than what each
-// of them may leave its surface by. Each halving of their levels halves that.
-void part_grazing_walls(Relief& relief, TriangleMesh& mesh) {
-  for (int round = 0; round < most_halvings && intersects_itself(mesh); ++round) {
-    std::vector<double> finer;
-    for (std::size_t i = 0; i + 1 < relief.radii_mm.size(); ++i) {
-      finer.push_back(relief.radii_mm[i]);
-      finer.push_back(std::midpoint(relief.radii_mm[i], relief.radii_mm[i + 1]));
-    }
-    finer.push_back(relief.radii_mm.back());
-    relief.radii_mm = std::move(finer);
-    check_size(relief);
-    mesh = wrap(relief);
+// A layer's region on a grid, and what stands on it.
+struct LaidOut {
+  Region region;
+  Relief relief;
+};
+
+// How finely a layer is laid out: its grid, and the levels of its walls beyond what they need.
+struct Fineness {
+  double step_mm = finest_step_mm;
+  int levels = 1;
+};
+
+LaidOut lay_out(const Segment& segment, const SolidOptions& options, const Layer& layer,
+                const Fineness& fineness) {
+  const PlaneGrid grid =
+      make_plane_grid(layer.pattern.circumference_mm, segment.length_mm,
+                      columns_of(segment, options), fineness.step_mm, options.start_z_mm);
+  check_widths(layer, grid);
+  const Cutting cut = cutting(segment, options, grid);
+  Region region = unite(layer.pattern, grid, cut.heights, options.tolerance_mm);
+  const double tolerance = layer.wall_tolerance_mm / fineness.levels;
+  Relief relief{triangulate(region),
+                wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
+                           layer.steepness, tolerance),
+                options.start_z_mm};
+  check_size(relief);
+  return {std::move(region), std::move(relief)};
+}
+
+// Where an arc grazes another outline, the space between them may be narrower than what their walls
+// leave their surfaces by. A coarser grid joins such outlines, further levels keep walls apart.
+LaidOut lay_out_clear(const Segment& segment, const SolidOptions& options, const Layer& layer,
+                      TriangleMesh& mesh) {
+  const double coarsest = std::min(coarsest_step_share * options.tolerance_mm,
+                                   layer.thinnest_strand_mm / (2 * fewest_steps_across));
+  Fineness fineness;
+  LaidOut laid_out = lay_out(segment, options, layer, fineness);
+  mesh = wrap(laid_out.relief);
+  while (layer.has_arcs && fineness.step_mm < coarsest && intersects_itself(mesh)) {
+    fineness = {std::min(coarsest, coarser * fineness.step_mm), 2 * fineness.levels};
+    laid_out = lay_out(segment, options, layer, fineness);
+    mesh = wrap(laid_out.relief);
   }
+  return laid_out;
 }
 
 Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer layer) {
-  const double circumference = layer.pattern.circumference_mm;
-  const PlaneGrid grid =
-      make_plane_grid(circumference, segment.length_mm, columns_of(segment, options),
-                      finest_step_mm, options.start_z_mm);
-  check_widths(layer, grid);
   if (layer.fillet_mm > 0) {
     layer.pattern = with_fillets(layer.pattern, layer.fillet_mm, layer.flatness_mm);
   }
-  const Cutting cut = cutting(segment, options, grid);
-  const Region region = unite(std::move(layer.pattern), grid, cut.heights, options.tolerance_mm);
-  Relief relief{triangulate(region),
-                wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
-                           layer.steepness, layer.wall_tolerance_mm),
-                options.start_z_mm};
-  check_size(relief);
   Solid solid;
-  solid.mesh = wrap(relief);
-  if (layer.fillet_mm > 0 || layer.steepness == 1) part_grazing_walls(relief, solid.mesh);
+  const LaidOut laid_out = lay_out_clear(segment, options, layer, solid.mesh);
   const double height = layer.ceiling_mm - layer.floor_mm;
-  const double mid_radius = circumference / (2 * std::numbers::pi);
+  const double mid_radius = layer.pattern.circumference_mm / (2 * std::numbers::pi);
   const double both_radii = layer.ceiling_mm + layer.floor_mm;
-  const double area = area_mm2(region);
+  const double area = area_mm2(laid_out.region);
   solid.volume_mm3 = area * height * both_radii / (2 * mid_radius);
   // Floor and ceiling lie within the tolerance of their cylinders.
   solid.volume_bound_mm3 = area / mid_radius * both_radii * options.tolerance_mm;
-  solid.pieces = pieces(relief.plane);
-  solid.genus = outline_loops(region) - solid.pieces;
+  solid.pieces = pieces(laid_out.relief.plane);
+  solid.genus = outline_loops(laid_out.region) - solid.pieces;
   return solid;
 }
 
@@ -188,7 +206,8 @@ Solid lattice_solid(const Segment& segment, const SolidOptions& options) {
               share * options.tolerance_mm,
               thinnest_strand_mm(lattice),
               lattice.fillet_mm,
-              flatness};
+              flatness,
+              has_arcs(lattice)};
   if (options.twist_rad_per_mm != 0 && !lattice.grids.empty()) {
     // Along a cut's height walls turn as much again as around a column. Flat ones, halved by a
     // diagonal, then leave their surface by 1/4 of that in place of 1/16.
