@@ -71,8 +71,9 @@ std::string fold_problem(const HorseshoeColumn& column) {
 // The largest arc, in tenths of a degree, that stays clear of the next on its side, closed.
 std::optional<HorseshoeColumn> with_smaller_arc(HorseshoeColumn column) {
   const double radius = column.shape.radius_mm;
-  for (double arc = std::ceil(10 * column.shape.arc_deg) - 1; arc >= 1800; --arc) {
-    column.shape.arc_deg = 0.1 * arc;
+  for (int tenths = static_cast<int>(std::ceil(10 * column.shape.arc_deg)) - 1; tenths >= 1800;
+       --tenths) {
+    column.shape.arc_deg = 0.1 * tenths;
     column.shape.radius_mm = radius;
     column.shape.radius_mm = closing_radius_mm(column);
     if (!runs_into_own_arcs(column) && !folds_over(column)) return column;
@@ -91,8 +92,8 @@ std::string own_arcs_problem(const HorseshoeColumn& column) {
 
 std::string parted_problem(const HorseshoeColumn& column) {
   std::string remedy = "; use smaller arcs or a steeper angle";
-  const double arcs = whole_arcs(column);
-  for (double more = arcs + 1; more <= arcs + most_more_arcs; ++more) {
+  for (int i = 1; i <= most_more_arcs; ++i) {
+    const double more = whole_arcs(column) + i;
     const HorseshoeColumn smaller = with_arcs(column, more);
     if (folds_over(smaller)) break;
     if (!in_one_piece(smaller)) continue;

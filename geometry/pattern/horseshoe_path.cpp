@@ -175,6 +175,7 @@ class Drawer {
     const double step = 2 * std::numbers::pi / steps;
     const double outward = std::sqrt(step / std::sin(step));
     std::vector<PlanePoint> disc;
+    disc.reserve(steps);
     for (int i = 0; i < steps; ++i) {
       disc.push_back(frame_.at(joint * chord_ + outward * radius * std::cos(i * step),
                                outward * radius * std::sin(i * step)));

@@ -122,7 +122,8 @@ void check_size(const Relief& relief) {
 bool intersects_itself(const TriangleMesh& mesh) {
   const TriangleMesh welded = weld(mesh);
   std::vector<char> degenerate;
-  for (const Triangle& t : welded.triangles) degenerate.push_back(is_degenerate(welded, t));
+  degenerate.reserve(welded.triangles.size());
+  for (const Triangle& t : welded.triangles) degenerate.push_back(is_degenerate(welded, t) ? 1 : 0);
   return !self_intersections(welded, degenerate).empty();
 }
 
