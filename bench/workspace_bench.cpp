@@ -5,7 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "model/workspace.h"
+#include "model/chain.h"
 
 namespace {
 
@@ -55,16 +55,20 @@ void superimposed_irregular(benchmark::State& bench) {
 }
 BENCHMARK(superimposed_irregular)->Unit(benchmark::kMicrosecond);
 
+/// From designs to tips: laws and symmetry included.
 void ten_thousand_points(benchmark::State& bench) {
-  const std::vector<PreparedSegment> segments = {
-      prepare_segment(bending_segment(90, 16), {}),
-      prepare_segment(segment_with({36, std::vector<double>(8, 2.0), std::nullopt}), {})};
-  std::vector<std::vector<double>> pressures(2);
+  const std::vector<Segment> segments = {
+      bending_segment(90, 16), segment_with({36, std::vector<double>(8, 2.0), std::nullopt})};
+  std::vector<LoadCase> cases;
   for (int i = 0; i < 100; ++i) {
-    pressures[0].push_back(30.0 * i / 99);
-    pressures[1].push_back(60.0 * i / 99);
+    for (int j = 0; j < 100; ++j) cases.push_back({{30.0 * i / 99, 60.0 * j / 99}});
   }
-  while (bench.KeepRunning()) benchmark::DoNotOptimize(workspace(segments, pressures));
+  while (bench.KeepRunning()) {
+    const ChainResponse chain = predict_chain(segments, {}, cases);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      benchmark::DoNotOptimize(shape_in(chain, segments, i)->tip());
+    }
+  }
 }
 BENCHMARK(ten_thousand_points)->Unit(benchmark::kMillisecond);
 

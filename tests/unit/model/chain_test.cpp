@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Segments cut into pieces, each predicted on its own and put together again.
+#include "model/chain.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,8 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include "model/shape.h"
-#include "model/workspace.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {
@@ -123,26 +123,51 @@ TEST(Chain, PiecesAsDesignsEqualOneSegment) {
   }
 }
 
-TEST(Workspace, ComposesPredictedFrames) {
+TEST(ChainResponse, ComposesPredictedFrames) {
   const std::vector<Segment> segments = bending_segments();
-  std::vector<PreparedSegment> prepared;
-  for (const Segment& segment : segments) prepared.push_back(prepare_segment(segment, {}));
-  const std::vector<std::vector<double>> pressures = {{0, 6, 12}, {12, 5}, {0, 9}};
-  const auto places = workspace(prepared, pressures);
-  ASSERT_EQ(places.size(), 12U);
-  for (const TipPlace& place : places) {
+  std::vector<LoadCase> cases;
+  for (const double first : {12.0, 0.0, 6.0}) {
+    for (const double second : {5.0, 12.0}) cases.push_back({{first, second, 9}});
+  }
+  const ChainResponse chain = predict_chain(segments, {}, cases);
+  EXPECT_EQ(chain.pressures_kpa[0], (std::vector<double>{0, 6, 12}));
+  EXPECT_EQ(chain.pressures_kpa[2], std::vector<double>{9});
+  for (std::size_t c = 0; c < cases.size(); ++c) {
     Frame expected;
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto response = predict(prepared[i], std::vector{place.pressures_kpa[i]});
+      const auto response = predict(segments[i], {}, std::vector{cases[c].pressures_kpa[i]});
       expected = composed(expected, frame_along(*response.states[0], segments[i].length_mm));
     }
+    const Frame tip = shape_in(chain, segments, c).value().tip();
     for (int i = 0; i < 3; ++i) {
-      EXPECT_NEAR(place.tip.origin[i], expected.origin[i], 1e-8);
-      for (int j = 0; j < 3; ++j) {
-        EXPECT_NEAR(place.tip.rotation[i][j], expected.rotation[i][j], 1e-10);
-      }
+      EXPECT_NEAR(tip.origin[i], expected.origin[i], 1e-8);
+      for (int j = 0; j < 3; ++j) EXPECT_NEAR(tip.rotation[i][j], expected.rotation[i][j], 1e-10);
     }
   }
+}
+
+TEST(ChainResponse, CasesBeyondALimitAreEmptyAloneAndTheSegmentIsKnown) {
+  const std::vector<Segment> segments = {paper_segment({36}), paper_segment({60})};
+  const std::vector<LoadCase> cases = {{{20, 20}}, {{500, 20}}, {{20, 20}}};
+  const ChainResponse chain = predict_chain(segments, {}, cases);
+  EXPECT_TRUE(shape_in(chain, segments, 0));
+  EXPECT_FALSE(shape_in(chain, segments, 1));
+  EXPECT_FALSE(state_in(chain, 1, 0));
+  EXPECT_TRUE(state_in(chain, 1, 1));
+  EXPECT_TRUE(states_in(chain, 2));
+  EXPECT_EQ(chain.responses[0].status, Status::no_equilibrium);
+  EXPECT_EQ(chain.responses[1].status, Status::ok);
+}
+
+TEST(ChainResponse, CasesMustFitTheChain) {
+  const std::vector<Segment> segments = {paper_segment({36}), paper_segment({60})};
+  const auto predicted = [&](const LoadCase& load) {
+    return predict_chain(segments, {}, std::vector{load});
+  };
+  EXPECT_THROW(predicted({{20}}), std::invalid_argument);
+  EXPECT_THROW(predicted({{20, 20, 20}}), std::invalid_argument);
+  EXPECT_THROW(predicted({{20, std::nan("")}}), std::invalid_argument);
+  EXPECT_TRUE(predict_chain(segments, {}, {}).cases.empty());
 }
 
 }  // namespace
