@@ -71,7 +71,7 @@ Design design_of(double angle_deg, double tolerance) {
   return design;
 }
 
-PressureShape moved_by(const Deformed& by, const Segment& segment) {
+PreviewShape moved_by(const Deformed& by, const Segment& segment) {
   State state;
   state.stretch = by.stretch;
   state.twist_rad_per_mm = by.twist;
@@ -83,7 +83,7 @@ PressureShape moved_by(const Deformed& by, const Segment& segment) {
   state.outer_radius_mm =
       std::sqrt(by.inner_radius * by.inner_radius + (outer * outer - inner * inner) / by.stretch);
   const std::vector<State> states{state};
-  return {0, Shape(std::vector<Segment>{segment}, states), states};
+  return {"", Shape(std::vector<Segment>{segment}, states), states};
 }
 
 struct Errors {
@@ -93,7 +93,7 @@ struct Errors {
 
 class Comparison {
  public:
-  Comparison(const Design& design, const PressureShape& at)
+  Comparison(const Design& design, const PreviewShape& at)
       : segment_(design.segments[0]),
         shape_(at.shape),
         options_(preview_options(design, 0, 0, {at})) {}
@@ -170,7 +170,7 @@ class Comparison {
 void expect_within_tolerance(const Deformed& by, double angle, double thickness, double tolerance) {
   Design design = design_of(angle, tolerance);
   design.segments[0].lattice->thickness_mm = thickness;
-  const PressureShape at = moved_by(by, design.segments[0]);
+  const PreviewShape at = moved_by(by, design.segments[0]);
   Comparison comparison(design, at);
   const Errors lattice = comparison.of_lattice();
   const std::size_t lattice_triangles = comparison.triangles;
