@@ -13,6 +13,7 @@
 #include "app/staging_folder.h"
 #include "export/mesh_file.h"
 #include "geometry/mesh/weld.h"
+#include "geometry/pattern/drawing_problems.h"
 #include "geometry/solid/audit.h"
 #include "geometry/solid/tube_solids.h"
 #if LATTICAST_HAS_PREDICT
@@ -167,6 +168,7 @@ ExitStatus run_build(const BuildArguments& arguments, const Console& console) {
   const std::vector<std::string> missing = unavailable(plan, *design);
   for (const std::string& line : missing) console.error(line);
   if (!missing.empty()) return ExitStatus::invalid;
+  if (plan.runs(Stage::lattice) || plan.runs(Stage::preview)) require_drawable(design->segments);
   if (arguments.dry_run) return ExitStatus::done;
   if (!makes_anything(plan)) {
     console.note("nothing to make: name what you want under [make], for example lattice = true");

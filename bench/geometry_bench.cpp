@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Time of every stage from design file to audited mesh file, for the paper's lattice and for one of
-// about twenty times its size.
+// Time of every stage from design file to audited mesh file, for the paper's lattice, also with
+// horseshoe columns and fillets, and for one of about twenty times its size.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -25,10 +25,17 @@ struct Size {
   int rings;
   int strips;
   double length_mm;
+  int arcs = 0;  // of a strand that is a horseshoe column
+  double fillet_mm = 0;
 };
 
 constexpr Size paper_size{8, 8, 85};
 constexpr Size large_size{80, 20, 850};
+constexpr Size horseshoes{8, 16, 85, 16};
+constexpr Size filleted{8, 8, 85, 0, 0.5};
+constexpr Size filleted_horseshoes{8, 16, 85, 16, 0.5};
+constexpr Size large_horseshoes{80, 20, 850, 160};
+constexpr Size large_filleted{80, 20, 850, 160, 0.5};
 
 Segment twisting_segment(const Size& size) {
   Segment segment;
@@ -37,7 +44,13 @@ Segment twisting_segment(const Size& size) {
   Lattice lattice;
   lattice.thickness_mm = 2;
   lattice.rings = Rings{size.rings, {}, 2};
-  lattice.grids.push_back({36, std::vector<double>(size.strips, 2.0), {}});
+  lattice.fillet_mm = size.fillet_mm;
+  if (size.arcs > 0) {
+    const Horseshoe half_circles{0.5 * size.length_mm / size.arcs, 180, true};
+    lattice.grids.push_back({90, std::vector<double>(size.strips, 1.0), half_circles});
+  } else {
+    lattice.grids.push_back({36, std::vector<double>(size.strips, 2.0), {}});
+  }
   segment.lattice = lattice;
   return segment;
 }
@@ -105,6 +118,13 @@ void design_file_to_audited_stl(benchmark::State& state, const Size& size) {
 BENCHMARK_CAPTURE(unite_strands, 8x8, paper_size)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(triangulate_region, 8x8, paper_size)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(make_solid, 8x8, paper_size)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(make_solid, 8x8_filleted, filleted)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(make_solid, 8x16_horseshoes, horseshoes)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(make_solid, 8x16_horseshoes_filleted, filleted_horseshoes)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(make_solid, 80x20_horseshoes, large_horseshoes)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(make_solid, 80x20_horseshoes_filleted, large_filleted)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(audit_mesh, 8x8, paper_size)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(design_file_to_audited_stl, 8x8, paper_size)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(unite_strands, 80x20, large_size)->Unit(benchmark::kMillisecond);

@@ -5,7 +5,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "model/workspace.h"
+#include "model/chain.h"
 
 namespace {
 
@@ -32,33 +32,43 @@ Segment bending_segment(double angle_deg, int columns) {
   return segment_with({angle_deg, widths, Horseshoe{85.0 / 32, 180, true}});
 }
 
-void bending(benchmark::State& bench, double angle_deg) {
-  const PreparedSegment segment =
-      prepare_segment(bending_segment(angle_deg, static_cast<int>(bench.range(0))), {});
+void bending(benchmark::State& bench, const Segment& design) {
+  const PreparedSegment segment = prepare_segment(design, {});
   const std::vector<double> pressure = {30};
   while (bench.KeepRunning()) benchmark::DoNotOptimize(predict(segment, pressure));
 }
 
 void distributed_columns(benchmark::State& bench) {
-  bending(bench, 90);
+  bending(bench, bending_segment(90, static_cast<int>(bench.range(0))));
 }
 BENCHMARK(distributed_columns)->Arg(8)->Arg(16)->Unit(benchmark::kMicrosecond);
 
 void superimposed(benchmark::State& bench) {
-  bending(bench, 60);
+  bending(bench, bending_segment(60, static_cast<int>(bench.range(0))));
 }
-BENCHMARK(superimposed)->Arg(8)->Unit(benchmark::kMicrosecond);
+BENCHMARK(superimposed)->Arg(8)->Arg(16)->Unit(benchmark::kMicrosecond);
 
+/// Widths without a mirror plane: all five unknowns.
+void superimposed_irregular(benchmark::State& bench) {
+  const std::vector<double> widths = {2, 3.5, 3, 2.5, 2, 3.5, 2.5, 2.5};
+  bending(bench, segment_with({60, widths, Horseshoe{85.0 / 32, 180, true}}));
+}
+BENCHMARK(superimposed_irregular)->Unit(benchmark::kMicrosecond);
+
+/// From designs to tips: laws and symmetry included.
 void ten_thousand_points(benchmark::State& bench) {
-  const std::vector<PreparedSegment> segments = {
-      prepare_segment(bending_segment(90, 16), {}),
-      prepare_segment(segment_with({36, std::vector<double>(8, 2.0), std::nullopt}), {})};
-  std::vector<std::vector<double>> pressures(2);
+  const std::vector<Segment> segments = {
+      bending_segment(90, 16), segment_with({36, std::vector<double>(8, 2.0), std::nullopt})};
+  std::vector<LoadCase> cases;
   for (int i = 0; i < 100; ++i) {
-    pressures[0].push_back(30.0 * i / 99);
-    pressures[1].push_back(60.0 * i / 99);
+    for (int j = 0; j < 100; ++j) cases.push_back({{30.0 * i / 99, 60.0 * j / 99}});
   }
-  while (bench.KeepRunning()) benchmark::DoNotOptimize(workspace(segments, pressures));
+  while (bench.KeepRunning()) {
+    const ChainResponse chain = predict_chain(segments, {}, cases);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      benchmark::DoNotOptimize(shape_in(chain, segments, i)->tip());
+    }
+  }
 }
 BENCHMARK(ten_thousand_points)->Unit(benchmark::kMillisecond);
 

@@ -28,6 +28,12 @@ int points_for(double from, double to) {
   return std::clamp(points, 3, most_points / 2);
 }
 
+double largest_difference(const BalanceAt::Vector& a, const BalanceAt::Vector& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
 }  // namespace
 
 void Balance::sort_coordinates(Held held, bool all_unknowns) {
@@ -81,13 +87,26 @@ std::optional<BalanceAt> Balance::finer_at(std::span<const double> x) const {
   return evaluate(x, finer_);
 }
 
-bool Balance::refine() {
+bool Balance::refine(std::span<const double> x) {
   if (points_fixed_ || std::max({liner_points_, lattice_points_, around_}) >= most_points) {
     return false;
   }
-  set_points(std::min(more_points(liner_points_), most_points),
-             std::min(more_points(lattice_points_), most_points),
-             std::min(more_points(around_), most_points));
+  const auto more = [](int points) { return std::min(more_points(points), most_points); };
+  const auto now = at(x);
+  const auto radial = evaluate(x, quadrature(more(liner_points_), more(lattice_points_), around_));
+  const auto angular = evaluate(x, quadrature(liner_points_, lattice_points_, more(around_)));
+  double in_radius = 1;
+  double around = 1;
+  if (now && radial && angular) {
+    in_radius = largest_difference(now->imbalance, radial->imbalance);
+    around = largest_difference(now->imbalance, angular->imbalance);
+  }
+  // Work goes with the product of both counts: what contributes little stays as it is.
+  const bool refine_radius = in_radius >= 0.1 * around;
+  const bool refine_around = around >= 0.1 * in_radius;
+  set_points(refine_radius ? more(liner_points_) : liner_points_,
+             refine_radius ? more(lattice_points_) : lattice_points_,
+             refine_around ? more(around_) : around_);
   return true;
 }
 

@@ -19,7 +19,7 @@ using BranchPoint = std::array<double, coordinate_count + 1>;
 /// The balance at one point; n free coordinates, n x n matrices column after column.
 struct BalanceAt {
   using Vector = std::array<double, coordinate_count>;
-  using Matrix = std::array<double, coordinate_count * coordinate_count>;
+  using Matrix = std::array<double, std::size_t{coordinate_count} * coordinate_count>;
   Vector imbalance{};   ///< scaled dPi/dq over the free coordinates; 0 in equilibrium
   Matrix stiffness{};   ///< scaled d2Pi/dq2
   Vector push{};        ///< scaled dV/dq: what one unit of pressure adds
@@ -55,8 +55,9 @@ class Balance {
   /// sideways. Precondition: `at(x)` is not empty.
   LeftOut left_out(std::span<const double> x) const;
 
-  /// Takes more quadrature points; false when there are as many as there may be.
-  bool refine();
+  /// Takes more quadrature points, in R or around the tube or both, wherever the imbalance at `x`
+  /// is not yet good; false when there are as many as there may be.
+  bool refine(std::span<const double> x);
 
   Deformation deformation(std::span<const double> x) const;
   double pressure_mpa(std::span<const double> x) const { return x[free_.size()] * pressure_mpa_; }

@@ -7,6 +7,8 @@
 
 #include <Eigen/Dense>
 
+#include "model/turning_point.h"
+
 namespace latticast {
 namespace {
 
@@ -21,12 +23,10 @@ constexpr double smallest_reach = 1e-10;
 constexpr double path_accuracy = 1e-7;
 constexpr double endless_growth = 1e3;          // of a scaled coordinate, whose order is 1
 constexpr double bifurcation_accuracy = 1e-12;  // of its pressure, relative
-constexpr double turning_accuracy = 1e-11;      // of an angle's rate, against its change
-constexpr double least_angle = 1e-9;            // scaled, above rounding
+constexpr double turning_goal = 1e-9;           // of the state where an angle turns back
 constexpr double closed_bore = -0.999;          // a/R_i - 1, always the last free coordinate
 constexpr double wanted_turning = 0.08;    // correction against step that a step is chosen for ...
 constexpr double greatest_turning = 0.15;  // ... and beyond which it does not count
-constexpr double least_slope = 1e-12;      // of pressure along the branch, above rounding
 constexpr double least_alignment = 0.95;   // cosine between successive tangents
 
 double dot(const BranchPoint& a, const BranchPoint& b) {
@@ -85,23 +85,10 @@ BranchPoint tangent_at(const BalanceAt& balance, const BranchPoint& guide, int n
   return tangent;
 }
 
-/// Whether the pressure between two states may turn back and forth again: the cubic through their
-/// pressures and slopes nearly stands still in between.
+/// Whether the pressure between two states may turn back and forth again.
 bool may_turn_between(const BranchState& a, const BranchState& b, int n) {
-  const double sense = a.tangent[n] < 0 ? -1 : 1;
-  const double start = sense * a.tangent[n];
-  const double end = sense * b.tangent[n];
-  const double lesser = std::min(start, end);
-  if (lesser < least_slope) return false;
-  // Past a slope that small against the other end's, the cubic is no guide.
-  if (std::max(start, end) > 8 * lesser) return true;
-  const double mean = sense * (b.x[n] - a.x[n]) / distance(a.x, b.x);
-  // Slope at u in 0..1: start + linear u + square u^2.
-  const double linear = 6 * mean - 4 * start - 2 * end;
-  const double square = 3 * (start + end) - 6 * mean;
-  if (square <= 0) return false;
-  const double u = -linear / (2 * square);
-  return u > 0 && u < 1 && start + 0.5 * linear * u < 0.5 * lesser;
+  const double mean = (b.x[n] - a.x[n]) / distance(a.x, b.x);
+  return slope_may_vanish(a.tangent[n], b.tangent[n], mean);
 }
 
 }  // namespace
@@ -315,7 +302,7 @@ std::optional<CriticalPoint> Branch::limit_point_before(const BranchState& beyon
         distance(found->x, beyond.x) > 1.1 * step) {
       return std::nullopt;
     }
-    if (found->pressure_error <= options_.error_goal || !balance_.refine()) return found;
+    if (found->pressure_error <= options_.error_goal || !balance_.refine(found->x)) return found;
     guess = found->x;
   }
 }
@@ -349,59 +336,24 @@ std::optional<CriticalPoint> Branch::bifurcation_before(const BranchState& beyon
   return std::nullopt;
 }
 
-/// Half the slope of |kappa|^2 or k^2 (scaled) along the branch, by kappa or k: signed where there
-/// is one component.
-double Branch::turning_rate(const BranchState& state, bool of_bending) const {
-  double magnitude = 0;
-  double rate = 0;
-  const std::vector<int>& free = balance_.free_coordinates();
-  for (int i = 0; i < n_; ++i) {
-    const bool bend = free[i] == coordinate::bend_1 || free[i] == coordinate::bend_2;
-    if (of_bending ? !bend : free[i] != coordinate::twist) continue;
-    rate += state.x[i] * state.tangent[i];
-    magnitude += state.x[i] * state.x[i];
-  }
-  return magnitude > least_angle * least_angle ? rate / std::sqrt(magnitude) : 0;
-}
-
+/// A path good to `path_accuracy` is not enough here: the quadrature is refined until the turning
+/// points are.
 void Branch::note_turning_points_before(const BranchState& beyond) {
-  for (const bool of_bending : {true, false}) {
-    if (turning_rate(here_, of_bending) * turning_rate(beyond, of_bending) >= 0) continue;
-    const auto found = turning_point_before(beyond, of_bending);
-    if (found) turning_points_.push_back(*found);
-  }
-}
-
-/// The pressure at which an angle turns back while the branch goes on, by the same secant method.
-/// An angle that passes through zero is not a turning point: its rate jumps there.
-std::optional<TurningState> Branch::turning_point_before(const BranchState& beyond,
-                                                         bool of_bending) {
-  BranchPoint low = here_.x;
-  BranchPoint high = beyond.x;
-  double at_low = turning_rate(here_, of_bending);
-  double at_high = turning_rate(beyond, of_bending);
-  const double sense = at_low > 0 ? 1 : -1;
-  const double size = std::abs(at_low - at_high);
-  int side = 0;
-  for (int i = 0; i < 60; ++i) {
-    const double fraction = std::clamp(at_low / (at_low - at_high), 1e-3, 1 - 1e-3);
-    const auto middle = corrected(between(low, high, fraction), pressure_axis());
-    if (!middle) return std::nullopt;
-    const double rate = turning_rate(*middle, of_bending);
-    if (rate == 0) return std::nullopt;
-    const double width = std::abs((high[n_] - low[n_]) / middle->x[n_]);
-    if (std::abs(rate) < turning_accuracy * size) {
-      return TurningState{of_bending, sense > 0, middle->x, middle->balance,
-                          std::min(width, std::abs(rate) / size)};
+  const auto equilibrium = [&](const BranchPoint& start) {
+    return corrected(start, pressure_axis());
+  };
+  while (true) {
+    std::vector<TurningState> found = turning_points_between(balance_, here_, beyond, equilibrium);
+    double worst = 0;
+    for (TurningState& turning : found) {
+      const double error = error_at(turning.x, turning.balance);
+      turning.pressure_error = std::max(turning.pressure_error, error);
+      worst = std::max(worst, error);
     }
-    if (width < 1e-14) return std::nullopt;
-    const int now = rate * sense > 0 ? 1 : -1;
-    (now > 0 ? low : high) = middle->x;
-    (now > 0 ? at_low : at_high) = rate;
-    if (now == side) (now > 0 ? at_high : at_low) *= 0.5;
-    side = now;
+    if (worst > turning_goal && balance_.refine(beyond.x)) continue;
+    turning_points_.insert(turning_points_.end(), found.begin(), found.end());
+    return;
   }
-  return std::nullopt;
 }
 
 /// The branch ends where the bore is down to a thousandth; the energy does not know of contact.
@@ -431,17 +383,17 @@ bool Branch::note_bifurcation_before(const BranchState& beyond) {
 
 /// Takes a finer quadrature and moves here to its equilibrium at the same pressure.
 bool Branch::refine_here() {
-  if (!balance_.refine()) return false;
+  if (!balance_.refine(here_.x)) return false;
   const auto refined = corrected(here_.x, pressure_axis());
   if (refined) here_ = *refined;
   return refined.has_value();
 }
 
 /// Largest error of a scaled coordinate: the finer quadrature's imbalance, mapped by H^-1.
-double Branch::error_here() const {
-  const auto finer = balance_.finer_at(here_.x);
+double Branch::error_at(const BranchPoint& x, const BalanceAt& balance) const {
+  const auto finer = balance_.finer_at(x);
   if (!finer) return std::numeric_limits<double>::infinity();
-  const Matrix stiffness = Map<const Eigen::MatrixXd>(here_.balance.stiffness.data(), n_, n_);
+  const Matrix stiffness = Map<const Eigen::MatrixXd>(balance.stiffness.data(), n_, n_);
   const Vector imbalance = Map<const Eigen::VectorXd>(finer->imbalance.data(), n_);
   return stiffness.partialPivLu().solve(imbalance).cwiseAbs().maxCoeff();
 }
@@ -449,12 +401,12 @@ double Branch::error_here() const {
 /// Refines the quadrature until the state here is good to `goal`, or rounding lets it get no
 /// better.
 void Branch::refine_to(double goal) {
-  here_.error_estimate = error_here();
+  here_.error_estimate = error_at(here_.x, here_.balance);
   double before = std::numeric_limits<double>::infinity();
   while (here_.error_estimate > goal && here_.error_estimate < 0.9 * before) {
     before = here_.error_estimate;
     if (!refine_here()) break;
-    here_.error_estimate = error_here();
+    here_.error_estimate = error_at(here_.x, here_.balance);
   }
 }
 

@@ -75,13 +75,11 @@ class Branch {
   std::optional<CriticalPoint> limit_point_before(const BranchState& beyond);
   std::optional<CriticalPoint> bifurcation_before(const BranchState& beyond);
   bool note_bifurcation_before(const BranchState& beyond);
-  double turning_rate(const BranchState& state, bool of_bending) const;
   void note_turning_points_before(const BranchState& beyond);
-  std::optional<TurningState> turning_point_before(const BranchState& beyond, bool of_bending);
   void examine_stability(BranchState& state) const;
   Reached note_closure(const BranchState& beyond);
   bool refine_here();
-  double error_here() const;
+  double error_at(const BranchPoint& x, const BalanceAt& balance) const;
   void refine_to(double goal);
   Reached finish_landing();
 

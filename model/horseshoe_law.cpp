@@ -113,9 +113,12 @@ std::vector<std::shared_ptr<const HorseshoeLaw>> horseshoe_laws(
       }
     }
   };
-  const unsigned wanted = threads > 0 ? threads : std::thread::hardware_concurrency();
-  const auto helpers =
-      std::clamp<std::size_t>(wanted, 1, std::max<std::size_t>(distinct.size(), 1)) - 1;
+  std::size_t helpers = 0;
+  // Asking the machine takes longer than predicting a straight tube.
+  if (distinct.size() > 1) {
+    const unsigned wanted = threads > 0 ? threads : std::thread::hardware_concurrency();
+    helpers = std::clamp<std::size_t>(wanted, 1, distinct.size()) - 1;
+  }
   {
     std::vector<std::jthread> running;
     for (std::size_t i = 0; i < helpers; ++i) running.emplace_back(work);

@@ -175,8 +175,8 @@ bool mirrored(const Grid& grid, int place) {
   return true;
 }
 
-/// Half-steps of the first uneven family's spacing at which a mirror plane of all uneven families
-/// lies. Planes and their opposites are one, so `count` places suffice.
+/// Theta of a plane that mirrors the widths of all uneven families. Planes and their opposites are
+/// one, so as many places as the first family has strands suffice.
 std::optional<double> mirror_axis(const std::vector<Winding>& all) {
   std::vector<const Grid*> uneven;
   for (const Winding& winding : all) {
@@ -228,8 +228,8 @@ void settle_symmetry(const Segment& segment, const ModelChoice& model, Section& 
   }
   section.twists = unpaired || has_handedness(section.families);
   const std::optional<double> axis = mirror_axis(all);
-  // Without the plane's mirror image of every tilted family there is no mirror plane.
-  section.bending_axes = !bends ? 0 : (axis && !section.twists ? 1 : 2);
+  // Also where strands are tilted: turned over about that axis, the section is the same again.
+  section.bending_axes = !bends ? 0 : (axis ? 1 : 2);
   section.axis_rad = section.bending_axes == 1 ? *axis : 0;
   section.isotropic = std::none_of(
       all.begin(), all.end(), [](const Winding& w) { return !w.even || w.grid->count() == 2; });

@@ -37,30 +37,29 @@ Number stretch_minus_1(const Number& square_minus_1) {
   return square_minus_1 / (sqrt(square_minus_1 + 1.0) + 1.0);
 }
 
-/// What is the same all around the tube at one reference radius.
-template <class Number>
+/// What is the same all around the tube at one reference radius. A straight tube is written apart
+/// by `bent`: it is by far the most frequent, and needs half of the work.
+template <bool bent, class Number>
 struct AtRadius {
   double radius;
-  Number hoop;         ///< (r/R)^2 - 1
-  Number hoop_strain;  ///< r/R - 1
-  Number lift_1;       ///< r kappa_1: what Lambda gains toward the first axis
-  Number lift_2;
+  Number hoop;                            ///< (r/R)^2 - 1
+  Number hoop_strain;                     ///< r/R - 1
+  std::array<Number, bent ? 2 : 0> lift;  ///< r kappa: what Lambda gains along either axis
 
-  AtRadius(const Kinematics<Number>& q, double reference_radius, bool bent)
+  AtRadius(const Kinematics<Number>& q, double reference_radius)
       : radius(reference_radius),
         hoop(q.hoop(reference_radius)),
-        hoop_strain(stretch_minus_1(hoop)),
-        lift_1(0),
-        lift_2(0) {
-    if (!bent) return;
-    const Number current = (hoop_strain + 1.0) * radius;
-    lift_1 = current * q.bend_1;
-    lift_2 = current * q.bend_2;
+        hoop_strain(stretch_minus_1(hoop)) {
+    if constexpr (bent) {
+      const Number current = (hoop_strain + 1.0) * radius;
+      lift = {current * q.bend_1, current * q.bend_2};
+    }
   }
 
   /// Lambda - 1 in a direction of the section.
   Number elongation(const Kinematics<Number>& q, double cosine, double sine) const {
-    return q.elongation + lift_1 * cosine + lift_2 * sine;
+    if constexpr (bent) return q.elongation + lift[0] * cosine + lift[1] * sine;
+    return q.elongation;
   }
 };
 
@@ -106,25 +105,25 @@ Number energy_density(const Linear&, const Number&) {
 }
 
 /// The liner law decides once, outside the loop over points.
-template <class Number>
+template <bool bent, class Number>
 Number liner_energy(const Section& section, const Quadrature& quadrature,
-                    const Kinematics<Number>& q, bool bent) {
+                    const Kinematics<Number>& q) {
   return std::visit(
       [&](const auto& law) {
         Number sum(0);
         for (const auto& [radius, weight] : quadrature.liner) {
           const double share = weight * section.isotropic_fraction;
           const Number shear = q.twist * radius;
-          if (!bent) {
+          if constexpr (bent) {
+            const AtRadius<bent, Number> at(q, radius);
+            for (const Direction& direction : quadrature.around) {
+              const Number e = at.elongation(q, direction.cosine, direction.sine);
+              const Number j = first_invariant_minus_3(at.hoop, e * (e + 2.0), shear);
+              sum += energy_density(law, j) * (share * direction.weight);
+            }
+          } else {
             const Number j = first_invariant_minus_3(q.hoop(radius), q.axial, shear);
             sum += energy_density(law, j) * share;
-            continue;
-          }
-          const AtRadius<Number> at(q, radius, true);
-          for (const Direction& direction : quadrature.around) {
-            const Number e = at.elongation(q, direction.cosine, direction.sine);
-            const Number j = first_invariant_minus_3(at.hoop, e * (e + 2.0), shear);
-            sum += energy_density(law, j) * (share * direction.weight);
           }
         }
         return sum;
@@ -134,9 +133,9 @@ Number liner_energy(const Section& section, const Quadrature& quadrature,
 
 /// |F A|^2 - 1 of a strand of this family where Lambda - 1 is `elongation`. With A = (c, s) around
 /// and along the tube, F A = (r/R) (c + k R s) e_theta + Lambda s e_z.
-template <class Number>
+template <bool bent, class Number>
 Number square_stretch_minus_1(const StrandFamily& family, const Kinematics<Number>& q,
-                              const AtRadius<Number>& at, const Number& axial) {
+                              const AtRadius<bent, Number>& at, const Number& axial) {
   const double c = family.cosine;
   const double s = family.sine;
   const Number shear = q.twist * (at.radius * s);
@@ -144,10 +143,10 @@ Number square_stretch_minus_1(const StrandFamily& family, const Kinematics<Numbe
 }
 
 /// E/2 (s - 1)^2 + k/2 theta_t^2 of straight strands with the given moduli.
-template <class Number>
+template <bool bent, class Number>
 Number strand_energy_density(const StrandFamily& family, double stretch_modulus,
                              double joint_modulus, const Kinematics<Number>& q,
-                             const AtRadius<Number>& at, const Number& elongation,
+                             const AtRadius<bent, Number>& at, const Number& elongation,
                              const Number& axial) {
   const Number strain = stretch_minus_1(square_stretch_minus_1(family, q, at, axial));
   Number energy = square(strain) * (0.5 * stretch_modulus);
@@ -163,10 +162,10 @@ Number strand_energy_density(const StrandFamily& family, double stretch_modulus,
   return energy;
 }
 
-template <class Number>
+template <bool bent, class Number>
 Number family_energy_density(const StrandFamily& family, const Quadrature& quadrature,
-                             const Kinematics<Number>& q, const AtRadius<Number>& at, bool bent) {
-  if (!bent) {
+                             const Kinematics<Number>& q, const AtRadius<bent, Number>& at) {
+  if constexpr (!bent) {
     return strand_energy_density(family, family.stretch_modulus_mpa, family.joint_modulus_mpa, q,
                                  at, q.elongation, q.axial);
   }
@@ -188,16 +187,16 @@ Number family_energy_density(const StrandFamily& family, const Quadrature& quadr
   return sum;
 }
 
-template <class Number>
+template <bool bent, class Number>
 Number lattice_energy(const Section& section, const Quadrature& quadrature,
-                      const Kinematics<Number>& q, bool bent) {
+                      const Kinematics<Number>& q) {
   Number sum(0);
   for (const auto& [radius, weight] : quadrature.lattice) {
-    const AtRadius<Number> at(q, radius, bent);
+    const AtRadius<bent, Number> at(q, radius);
     Number density = square(at.hoop_strain) * (0.5 * section.ring_modulus_mpa);
     for (const StrandFamily& family : section.families) {
       if (family.arcs_per_mm > 0) continue;
-      density += family_energy_density(family, quadrature, q, at, bent);
+      density += family_energy_density(family, quadrature, q, at);
     }
     sum += density * weight;
   }
@@ -205,9 +204,8 @@ Number lattice_energy(const Section& section, const Quadrature& quadrature,
 }
 
 /// Visits the places of a horseshoe family: law, direction, and how many strands are there.
-template <class Visit>
-void for_each_place(const StrandFamily& family, const Quadrature& quadrature, bool bent,
-                    const Visit& visit) {
+template <bool bent, class Visit>
+void for_each_place(const StrandFamily& family, const Quadrature& quadrature, const Visit& visit) {
   const auto count = static_cast<double>(family.strands.size());
   if (!bent) {
     visit(*family.strands.front().law, Direction{1, 0, count});
@@ -227,15 +225,15 @@ double mid_radius_mm(const Section& section) {
 }
 
 /// Empty when a horseshoe leaves its law's range. The law's force is d energy/d chord.
-template <class Number>
+template <bool bent, class Number>
 std::optional<Number> horseshoe_energy(const Section& section, const Quadrature& quadrature,
-                                       const Kinematics<Number>& q, bool bent) {
+                                       const Kinematics<Number>& q) {
   Number sum(0);
   bool possible = true;
   for (const StrandFamily& family : section.families) {
     if (family.arcs_per_mm == 0) continue;
-    const AtRadius<Number> at(q, mid_radius_mm(section), bent);
-    for_each_place(family, quadrature, bent, [&](const HorseshoeLaw& law, const Direction& place) {
+    const AtRadius<bent, Number> at(q, mid_radius_mm(section));
+    for_each_place<bent>(family, quadrature, [&](const HorseshoeLaw& law, const Direction& place) {
       const Number e = at.elongation(q, place.cosine, place.sine);
       const Number strain = stretch_minus_1(square_stretch_minus_1(family, q, at, e * (e + 2.0)));
       const auto arc = law.at(strain.value);
@@ -274,10 +272,13 @@ std::array<double, 5> numbers(const Deformation& at) {
   return {at.elongation, at.twist, at.inner_growth, at.bend_1, at.bend_2};
 }
 
-template <std::size_t N>
-std::optional<SectionEnergy> energy_with(const Section& section, const Quadrature& quadrature,
-                                         const Deformation& at, std::span<const int> active,
-                                         bool bent) {
+// Flattened, since the compiler stops inlining when so many versions of one formula stand side by
+// side, and then takes 1.6 times as long.
+template <bool bent, std::size_t N>
+[[gnu::flatten]] std::optional<SectionEnergy> energy_with(const Section& section,
+                                                          const Quadrature& quadrature,
+                                                          const Deformation& at,
+                                                          std::span<const int> active) {
   const std::array<double, 5> values = numbers(at);
   std::array<Dual<N>, 5> variables;
   for (std::size_t i = 0; i < values.size(); ++i) variables[i] = Dual<N>(values[i]);
@@ -285,10 +286,10 @@ std::optional<SectionEnergy> energy_with(const Section& section, const Quadratur
     variables[active[i]] = Dual<N>::variable(i, values[active[i]]);
   }
   const auto q = kinematics(section, variables);
-  const auto horseshoes = horseshoe_energy(section, quadrature, q, bent);
+  const auto horseshoes = horseshoe_energy<bent>(section, quadrature, q);
   if (!horseshoes) return std::nullopt;
-  const Dual<N> sum = liner_energy(section, quadrature, q, bent) +
-                      lattice_energy(section, quadrature, q, bent) + *horseshoes;
+  const Dual<N> sum = liner_energy<bent>(section, quadrature, q) +
+                      lattice_energy<bent>(section, quadrature, q) + *horseshoes;
   SectionEnergy energy(sum.value);
   for (std::size_t i = 0; i < N; ++i) {
     energy.gradient[active[i]] = sum.gradient[i];
@@ -306,15 +307,18 @@ std::optional<SectionEnergy> stored_energy(const Section& section, const Quadrat
                                              [](int i) { return i >= coordinate::bend_1; });
   switch (active.size()) {
     case 1:
-      return energy_with<1>(section, quadrature, at, active, bent);
+      return bent ? energy_with<true, 1>(section, quadrature, at, active)
+                  : energy_with<false, 1>(section, quadrature, at, active);
     case 2:
-      return energy_with<2>(section, quadrature, at, active, bent);
+      return bent ? energy_with<true, 2>(section, quadrature, at, active)
+                  : energy_with<false, 2>(section, quadrature, at, active);
     case 3:
-      return energy_with<3>(section, quadrature, at, active, bent);
+      return bent ? energy_with<true, 3>(section, quadrature, at, active)
+                  : energy_with<false, 3>(section, quadrature, at, active);
     case 4:
-      return energy_with<4>(section, quadrature, at, active, bent);
+      return energy_with<true, 4>(section, quadrature, at, active);
     default:
-      return energy_with<5>(section, quadrature, at, active, bent);
+      return energy_with<true, 5>(section, quadrature, at, active);
   }
 }
 

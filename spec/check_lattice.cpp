@@ -118,6 +118,14 @@ void check_horseshoe_arcs(const Grid& grid, const Segment& segment, const Field&
   }
 }
 
+void check_fillet(const Segment& segment, const Field& fillet) {
+  const double most = segment.lattice_mid_radius_mm();
+  if (segment.lattice->fillet_mm >= most) {
+    fillet.refuse(fmt::format("must be less than the lattice's mid radius, {:.6g} mm", most),
+                  "use a smaller radius: gaps narrower than twice the fillet close");
+  }
+}
+
 void check_crossings(const Segment& segment, const Field& lattice) {
   const Lattice& drawn = *segment.lattice;
   double rings = 0;

@@ -21,6 +21,9 @@ void check_strand_turns(const Grid& grid, const Segment& segment, const Field& a
 /// One strand does not have more horseshoe arcs than limits::arcs.
 void check_horseshoe_arcs(const Grid& grid, const Segment& segment, const Field& horseshoe);
 
+/// A fillet is smaller than the mid radius of the layer that it is in.
+void check_fillet(const Segment& segment, const Field& fillet);
+
 /// Strands and rings do not cross more often than limits::crossings, so that the lattice can be
 /// built.
 void check_crossings(const Segment& segment, const Field& lattice);

@@ -50,6 +50,7 @@ struct Lattice {
   Material material;
   std::optional<Rings> rings;
   std::vector<Grid> grids;
+  double fillet_mm = 0;  ///< radius of every inward corner where strands meet; 0: sharp
 };
 
 /// One length of tube with its own section and, in a load case, its own pressure.

@@ -110,6 +110,9 @@ void read_lattice(Section table, const MaterialLibrary& library, ColumnModel col
   lattice.thickness_mm = table.need("thickness", "thickness = 2").number(limits::length);
   const Field material = table.need("material", R"(material = "hei-cast-8400")");
   lattice.material = read_lattice_material(material, library);
+  const Field fillet = table.may("fillet");
+  lattice.fillet_mm = fillet.number_or(lattice.fillet_mm, limits::length);
+  check_fillet(segment, fillet);
   const Field rings = table.may("rings");
   if (rings.present()) {
     lattice.rings =

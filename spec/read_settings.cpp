@@ -184,6 +184,7 @@ double thinnest_feature_mm(const std::vector<Segment>& segments) {
     meet(segment.liner.thickness_mm);
     if (!segment.lattice) continue;
     meet(segment.lattice->thickness_mm);
+    if (segment.lattice->fillet_mm != 0) meet(segment.lattice->fillet_mm);
     if (segment.lattice->rings) meet(segment.lattice->rings->width_mm);
     for (const Grid& grid : segment.lattice->grids) {
       for (const double width : grid.widths_mm) meet(width);
@@ -264,8 +265,8 @@ Export read_export(Section& file, const std::vector<Segment>& segments) {
   const double thinnest = thinnest_feature_mm(segments);
   if (output.tolerance_mm >= thinnest) {
     const std::string rule = fmt::format(
-        "export.tolerance (here {} mm) must be finer than the thinnest layer, strand or ring, {} "
-        "mm",
+        "export.tolerance (here {} mm) must be finer than the thinnest layer, strand, ring or "
+        "fillet, {} mm",
         output.tolerance_mm, thinnest);
     // The default breaks the rule as well as a written value does; then the file is to blame.
     const Field& nearest = field.present() ? field : file.table();

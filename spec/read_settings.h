@@ -19,7 +19,7 @@ ModelChoice read_model(const Field& field);
 Make read_make(const Field& field, const std::vector<Segment>& segments);
 
 /// [export] of the file. The tolerance, written or not, must be finer than the thinnest layer and
-/// the narrowest strand or ring.
+/// the narrowest strand, ring or fillet.
 Export read_export(Section& file, const std::vector<Segment>& segments);
 
 Printer read_printer(const Field& field);

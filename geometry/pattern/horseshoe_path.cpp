@@ -5,19 +5,22 @@
 #include <cmath>
 #include <numbers>
 
-#include <fmt/core.h>
-
 namespace latticast {
 namespace {
 
-constexpr double closing_tolerance = 2e-3;  // relative change of the radius that goes unsaid
 constexpr double radians = std::numbers::pi / 180;
+constexpr double widest_step = 0.5;  // in radians; the error of chords is a series in the step
+constexpr int samples_per_arc = 256;
 
 double half_arc(const Horseshoe& shape) {
   return 0.5 * shape.arc_deg * radians;
 }
 
-// Where the column's arcs are drawn: along its chord line and to the right of it.
+int side_of_arc(const Horseshoe& shape, int arc) {
+  return shape.alternate && arc % 2 != 0 ? -1 : 1;
+}
+
+// Where the column's arcs are drawn: s along its chord line, t to the right of it.
 struct Frame {
   PlanePoint origin;
   PlanePoint along;
@@ -34,28 +37,21 @@ Frame frame_of(const HorseshoeColumn& column) {
   return {{column.start_u_mm, 0}, {cosine, std::sin(angle)}, {std::sin(angle), -cosine}};
 }
 
-// Points of a flattened arc about (s, t), from direction -half to +half seen from the chord's
-// normal. Inner points lie further out than the end points, so that the polygon has the sector's
-// area.
-std::vector<PlanePoint> flat_arc(double s, double t, double radius, double half, int steps,
-                                 int side) {
-  const double step = 2 * half / steps;
+// Inner points of a flattened arc lie further out than its end points, so that the polygon has the
+// sector's area: n - 2 triangles between inner points and two with an end point.
+double outward_factor(double step, int steps) {
   const double needed = steps * step / std::sin(step);
-  const double outward =
-      steps == 2 ? 0.5 * needed : (std::sqrt(1 + (steps - 2) * needed) - 1) / (steps - 2);
-  std::vector<PlanePoint> points;
-  for (int i = 0; i <= steps; ++i) {
-    const double direction = -half + i * step;
-    const double r = i == 0 || i == steps ? radius : radius * outward;
-    points.push_back({s + r * std::sin(direction), t + side * r * std::cos(direction)});
-  }
-  return points;
+  return steps == 2 ? 0.5 * needed : (std::sqrt(1 + (steps - 2) * needed) - 1) / (steps - 2);
 }
 
 int flat_steps(double radius, double arc, double flatness) {
-  // As for the columns around the tube, chords of equal area stay within r D^2/12 of the circle.
-  const double step = std::min(0.5, std::sqrt(12 * flatness / radius));
-  return std::max(2, static_cast<int>(std::ceil(arc / step)));
+  const auto off = [&](int steps) {
+    const double step = arc / steps;
+    return step > widest_step ? HUGE_VAL : radius * (outward_factor(step, steps) - 1);
+  };
+  int steps = std::max(2, static_cast<int>(arc / std::sqrt(12 * flatness / radius)));
+  while (off(steps) > flatness) ++steps;
+  return steps;
 }
 
 // The polygon's part with 0 <= z <= length (Sutherland-Hodgman against both ends). A part cut off
@@ -91,82 +87,129 @@ class Drawer {
  public:
   Drawer(const HorseshoeColumn& column, double flatness)
       : column_(column),
+        flatness_(flatness),
         frame_(frame_of(column)),
         radius_(closing_radius_mm(column)),
         half_(half_arc(column.shape)),
-        steps_(flat_steps(radius_ + 0.5 * column.width_mm, 2 * half_, flatness)) {}
+        chord_(2 * radius_ * std::sin(half_)),
+        steps_(flat_steps(radius_ + 0.5 * column.width_mm, 2 * half_, flatness)),
+        outward_(outward_factor(2 * half_ / steps_, steps_)) {}
 
-  // One arc more than the segment holds at either end: what lies beyond the ends is cut off.
-  std::vector<Strand> run() {
-    const double chord = 2 * radius_ * std::sin(half_);
-    const double reach = radius_ + column_.width_mm;
-    const double along = frame_.along.z * chord;
-    const int extra = 1 + static_cast<int>(std::ceil(reach / along));
-    const int arcs = static_cast<int>(std::lround(column_.length_mm / along));
-    for (int i = -extra; i < arcs + extra; ++i) {
-      const int side = column_.shape.alternate && i % 2 != 0 ? -1 : 1;
-      add_arc((i + 0.5) * chord, side);
-      if (!column_.shape.alternate) add_joint(i * chord);
-    }
-    return std::move(strands_);
+  // From the middle of the strand to both ends: what lies beyond its first way out is loose.
+  DrawnHorseshoe run() {
+    const auto arcs = std::lround(column_.length_mm / (frame_.along.z * chord_));
+    const int middle = static_cast<int>(arcs / 2);
+    int first = 0;  // the joint itself lies on the end when there is one arc alone
+    while (first < steps_ && where(middle, first) != Where::inside) ++first;
+    const Where up = draw_up(middle, first);
+    const Where down = draw_down(middle, first);
+    drawn_.in_one_piece = up == Where::above && down == Where::below;
+    return std::move(drawn_);
   }
 
  private:
-  void add_arc(double middle, int side) {
-    const double centre = -side * radius_ * std::cos(half_);
-    const double half_width = 0.5 * column_.width_mm;
-    std::vector<PlanePoint> outline =
-        flat_arc(middle, centre, radius_ + half_width, half_, steps_, side);
-    std::vector<PlanePoint> inner =
-        flat_arc(middle, centre, radius_ - half_width, half_, steps_, side);
-    outline.insert(outline.end(), inner.rbegin(), inner.rend());
+  enum class Where { below, inside, above };
+
+  // One end of a cross-section of the strand; both ends of a joint are the same for both its arcs.
+  PlanePoint edge(int arc, int step, bool outer) const {
+    const int side = side_of_arc(column_.shape, arc);
+    const double direction = -half_ + step * (2 * half_ / steps_);
+    const double half_width = outer ? 0.5 * column_.width_mm : -0.5 * column_.width_mm;
+    if (step == 0 || step == steps_) {
+      const double across = std::copysign(std::sin(half_), direction);
+      return frame_.at((arc + (step == 0 ? 0 : 1)) * chord_ + half_width * across,
+                       half_width * side * std::cos(half_));
+    }
+    const double r = outward_ * (radius_ + half_width);
+    return frame_.at((arc + 0.5) * chord_ + r * std::sin(direction),
+                     side * (r * std::cos(direction) - radius_ * std::cos(half_)));
+  }
+
+  // A cross-section less than the flatness inside counts as outside: it would not hold.
+  Where where(int arc, int step) const {
+    const auto [low, high] = std::minmax(edge(arc, step, false).z, edge(arc, step, true).z);
+    if (high < flatness_) return Where::below;
+    if (low > column_.length_mm - flatness_) return Where::above;
+    return Where::inside;
+  }
+
+  Where draw_up(int arc, int first) {
+    for (;; ++arc, first = 0) {
+      for (int step = first; step <= steps_; ++step) {
+        const Where here = where(arc, step);
+        if (here == Where::inside) continue;
+        add_sector(arc, first, step);
+        return here;
+      }
+      add_sector(arc, first, steps_);
+      add_joint(arc + 1);
+    }
+  }
+
+  Where draw_down(int arc, int last) {
+    for (;; --arc, last = steps_) {
+      for (int step = last; step >= 0; --step) {
+        const Where here = where(arc, step);
+        if (here == Where::inside) continue;
+        add_sector(arc, step, last);
+        return here;
+      }
+      add_sector(arc, 0, last);
+      add_joint(arc);
+    }
+  }
+
+  void add_sector(int arc, int from, int to) {
+    std::vector<PlanePoint> outline;
+    if (from == to) return;
+    for (int step = from; step <= to; ++step) outline.push_back(edge(arc, step, true));
+    for (int step = to; step >= from; --step) outline.push_back(edge(arc, step, false));
     add(std::move(outline));
   }
 
-  // Arcs that all bulge to one side meet at an angle; a disc rounds the joint.
-  void add_joint(double s) {
+  // Arcs that all bulge to one side meet at an angle.
+  void add_joint(int joint) {
+    if (column_.shape.alternate) return;
     const double radius = 0.5 * column_.width_mm;
+    const int steps = flat_steps(radius, 2 * std::numbers::pi, flatness_);
+    const double step = 2 * std::numbers::pi / steps;
+    const double outward = std::sqrt(step / std::sin(step));
     std::vector<PlanePoint> disc;
-    for (int i = 0; i < 24; ++i) {
-      const double direction = 2 * std::numbers::pi * i / 24;
-      disc.push_back({s + radius * std::cos(direction), radius * std::sin(direction)});
+    disc.reserve(steps);
+    for (int i = 0; i < steps; ++i) {
+      disc.push_back(frame_.at(joint * chord_ + outward * radius * std::cos(i * step),
+                               outward * radius * std::sin(i * step)));
     }
     add(std::move(disc));
   }
 
   void add(std::vector<PlanePoint> outline) {
-    for (PlanePoint& point : outline) point = frame_.at(point.u, point.z);
     outline = clip_ends(std::move(outline), column_.length_mm);
     if (outline.size() < 3) return;
     make_counter_clockwise(outline);
-    strands_.push_back({std::move(outline)});
+    drawn_.arcs.push_back({std::move(outline)});
   }
 
   const HorseshoeColumn& column_;
+  double flatness_;
   Frame frame_;
   double radius_;
   double half_;
+  double chord_;
   int steps_;
-  std::vector<Strand> strands_;
+  double outward_;
+  DrawnHorseshoe drawn_;
 };
 
-// The centre line over two arcs, in the plane, for distances between neighbours.
-std::vector<PlanePoint> sampled_centre_line(const HorseshoeColumn& column) {
-  constexpr int samples = 200;
-  const Frame frame = frame_of(column);
-  const double radius = column.shape.radius_mm;
-  const double half = half_arc(column.shape);
-  const double chord = chord_mm(column.shape);
-  std::vector<PlanePoint> points;
-  for (int arc = -2; arc < 4; ++arc) {
-    const int side = column.shape.alternate && arc % 2 != 0 ? -1 : 1;
-    for (int i = 0; i < samples; ++i) {
-      const double direction = -half + 2 * half * i / samples;
-      points.push_back(frame.at((arc + 0.5) * chord + radius * std::sin(direction),
-                                side * radius * (std::cos(direction) - std::cos(half))));
-    }
-  }
-  return points;
+// Distance of a point, given along and across the chord line, from one arc's centre line.
+double distance_to_arc(const Horseshoe& shape, int arc, double s, double t) {
+  const double chord = chord_mm(shape);
+  const double cosine = std::cos(half_arc(shape));
+  const double from_middle = s - (arc + 0.5) * chord;
+  const double outward = side_of_arc(shape, arc) * t + shape.radius_mm * cosine;
+  const double r = std::hypot(from_middle, outward);
+  if (outward >= r * cosine) return std::abs(r - shape.radius_mm);
+  return std::hypot(std::abs(from_middle) - 0.5 * chord, t);
 }
 
 }  // namespace
@@ -184,67 +227,33 @@ double closing_radius_mm(const HorseshoeColumn& column) {
   return column.shape.radius_mm * arcs / std::max(1.0, std::round(arcs));
 }
 
-std::vector<std::string> drawing_problems(const HorseshoeColumn& column) {
-  std::vector<std::string> problems;
-  const double radius = column.shape.radius_mm;
-  const double closing = closing_radius_mm(column);
-  if (std::abs(closing - radius) > closing_tolerance * radius) {
-    problems.push_back(
-        fmt::format("{:.2f} arcs of radius {:g} mm fill the segment, not a whole number; radius "
-                    "{:.6g} mm closes it with {:g}",
-                    arcs_on_segment(column), radius, closing,
-                    std::max(1.0, std::round(arcs_on_segment(column)))));
-  }
-  if (column.width_mm >= 2 * radius) {
-    problems.push_back(
-        fmt::format("the strand is {:g} mm wide, wider than its arcs' diameter, and folds over "
-                    "itself; a radius above {:.6g} mm avoids it",
-                    column.width_mm, 0.5 * column.width_mm));
-  }
-  const double half = half_arc(column.shape);
-  const bool one_sided_overlap = !column.shape.alternate && half > 0.5 * std::numbers::pi;
-  const bool alternate_overlap = column.shape.alternate &&
-                                 4 * radius * std::sin(half) <= 2 * radius + column.width_mm &&
-                                 half > 0.5 * std::numbers::pi;
-  if (one_sided_overlap) {
-    problems.push_back(
-        fmt::format("arcs of {:g} degrees on one side run into each other; 180 degrees is the most",
-                    column.shape.arc_deg));
-  } else if (alternate_overlap) {
-    const double sine = std::min(1.0, 0.5 + 0.25 * column.width_mm / radius);
-    problems.push_back(fmt::format(
-        "every second arc of {:g} degrees runs into the next; below {:.4g} degrees they "
-        "stay apart",
-        column.shape.arc_deg, 2 * (std::numbers::pi - std::asin(sine)) / radians));
-  }
-  return problems;
-}
-
-double clearance_mm(const HorseshoeColumn& column, double spacing_u_mm, double neighbour_width_mm) {
-  const std::vector<PlanePoint> line = sampled_centre_line(column);
+double centre_distance_mm(const HorseshoeColumn& column, double spacing_u_mm) {
+  const Horseshoe& shape = column.shape;
+  const Frame frame = frame_of(column);
+  const double half = half_arc(shape);
+  const double chord = chord_mm(shape);
+  const double radius = shape.radius_mm;
+  // A strand is narrower than 2 R, and an arc reaches no further than R from its middle.
+  const int reach = 1 + static_cast<int>(std::ceil(3 * radius / chord));
   double closest = HUGE_VAL;
-  for (std::size_t i = line.size() / 3; i < 2 * line.size() / 3; ++i) {
-    for (const PlanePoint& other : line) {
-      closest =
-          std::min(closest, std::hypot(other.u + spacing_u_mm - line[i].u, other.z - line[i].z));
+  for (int arc = 0; arc < (shape.alternate ? 2 : 1); ++arc) {
+    const int side = side_of_arc(shape, arc);
+    for (int i = 0; i < samples_per_arc; ++i) {
+      const double direction = -half + 2 * half * i / samples_per_arc;
+      const double s = (arc + 0.5) * chord + radius * std::sin(direction);
+      const double t = side * radius * (std::cos(direction) - std::cos(half));
+      const double other_s = s - spacing_u_mm * frame.along.u;
+      const double other_t = t - spacing_u_mm * frame.right.u;
+      const int nearest = static_cast<int>(std::floor(other_s / chord));
+      for (int other = nearest - reach; other <= nearest + reach; ++other) {
+        closest = std::min(closest, distance_to_arc(shape, other, other_s, other_t));
+      }
     }
   }
-  return closest - 0.5 * (column.width_mm + neighbour_width_mm);
+  return closest;
 }
 
-int most_columns(const HorseshoeColumn& column, double circumference_mm,
-                 double neighbour_width_mm) {
-  int low = 1;  // leaves a gap, or is the least there can be
-  int high = std::max(2, static_cast<int>(circumference_mm / column.width_mm) + 1);  // leaves none
-  while (high - low > 1) {
-    const int middle = (low + high) / 2;
-    const bool gap = clearance_mm(column, circumference_mm / middle, neighbour_width_mm) > 0;
-    (gap ? low : high) = middle;
-  }
-  return low;
-}
-
-std::vector<Strand> draw_horseshoe(const HorseshoeColumn& column, double flatness_mm) {
+DrawnHorseshoe draw_horseshoe(const HorseshoeColumn& column, double flatness_mm) {
   return Drawer(column, flatness_mm).run();
 }
 

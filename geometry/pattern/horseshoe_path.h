@@ -3,7 +3,6 @@
 // 2(g)).
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "geometry/pattern/pattern.h"
@@ -13,7 +12,8 @@ namespace latticast {
 
 /// One column. Its chord line starts at (start_u, 0) and runs at `angle_deg` from the circumference
 /// to z = length. Joints between arcs lie on the chord line; the first arc bulges to the right of
-/// it, the next one to the left when `alternate`, otherwise all to the right.
+/// it, the next one to the left when `alternate`, otherwise all to the right. Beyond both ends the
+/// chain goes on: the segment is a level cut through it.
 struct HorseshoeColumn {
   Horseshoe shape;
   double start_u_mm = 0;
@@ -32,20 +32,19 @@ double arcs_on_segment(const HorseshoeColumn& column);
 /// segment.
 double closing_radius_mm(const HorseshoeColumn& column);
 
-/// What keeps the column from being drawn, each with the nearest value that works; empty if nothing
-/// does. A column whose radius is within 0.2 % of the closing radius closes: it is drawn with that.
-std::vector<std::string> drawing_problems(const HorseshoeColumn& column);
+/// Smallest distance between the centre lines of two columns of equal shape, `spacing_u_mm` apart
+/// along u; at most 1e-4 R above the true one. It is the same all along the tube.
+double centre_distance_mm(const HorseshoeColumn& column, double spacing_u_mm);
 
-/// Smallest clear distance between two neighbouring columns of equal shape, `spacing_u_mm` apart
-/// along u, with the widths given; negative when they overlap. Sampled at 1/200 of an arc.
-double clearance_mm(const HorseshoeColumn& column, double spacing_u_mm, double neighbour_width_mm);
-
-/// The most columns around the tube that leave a gap between neighbours of these widths; at
-/// least 1.
-int most_columns(const HorseshoeColumn& column, double circumference_mm, double neighbour_width_mm);
-
-/// Outlines, one polygon an arc, cut level at both ends. Arcs become chords that stay within
-/// `flatness_mm` of the circle and enclose exactly its area. Precondition: no drawing problems.
-std::vector<Strand> draw_horseshoe(const HorseshoeColumn& column, double flatness_mm);
+/// Outlines, one polygon an arc, drawn with the closing radius and cut level at both ends; what the
+/// cut leaves loose beyond the strand's first way out of the segment is left out. Arcs become
+/// chords that stay within `flatness_mm` of the circle and enclose exactly its area; neighbouring
+/// arcs share their corners bit for bit. The corner between arcs on one side is rounded by a disc
+/// of the strand's width. Precondition: 0 < width < 2 R, flatness > 0.
+struct DrawnHorseshoe {
+  std::vector<Strand> arcs;
+  bool in_one_piece = true;  ///< false: an arc bulges past an end so far that it parts the strand
+};
+DrawnHorseshoe draw_horseshoe(const HorseshoeColumn& column, double flatness_mm);
 
 }  // namespace latticast

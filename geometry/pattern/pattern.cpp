@@ -2,12 +2,10 @@
 #include "geometry/pattern/pattern.h"
 
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <string>
 
-#include <fmt/core.h>
-
+#include "geometry/pattern/drawing_problems.h"
 #include "geometry/pattern/horseshoe_path.h"
 #include "geometry/pattern/rings.h"
 
@@ -44,33 +42,10 @@ HorseshoeColumn column_of(const Grid& grid, int strand, const Pattern& pattern) 
           grid.widths_mm[strand], pattern.length_mm};
 }
 
-// Problems of the family numbered `family`, each distinct strand named once.
-void add_problems(const Grid& grid, std::size_t family, const Pattern& pattern, std::string& text) {
-  const double spacing = pattern.circumference_mm / grid.count();
-  std::map<std::pair<double, double>, bool> seen;
-  for (int i = 0; i < grid.count(); ++i) {
-    const double next_width = grid.widths_mm[(i + 1) % grid.count()];
-    if (!seen.emplace(std::pair(grid.widths_mm[i], next_width), true).second) continue;
-    const HorseshoeColumn column = column_of(grid, i, pattern);
-    const auto add = [&](const std::string& problem) {
-      text += fmt::format("grid {}, strand {} (at {:.1f} degrees around the tube): {}\n",
-                          family + 1, i + 1, 360.0 * i / grid.count(), problem);
-    };
-    for (const std::string& problem : drawing_problems(column)) add(problem);
-    const double clearance = clearance_mm(column, spacing, next_width);
-    if (clearance <= 0) {
-      add(
-          fmt::format("overlaps the next strand by {:.3g} mm; {} strands, or widths smaller by "
-                      "that much, leave a gap",
-                      -clearance, most_columns(column, pattern.circumference_mm, next_width)));
-    }
-  }
-}
-
 void draw_grid(const Grid& grid, double flatness, Pattern& pattern) {
   for (int i = 0; i < grid.count(); ++i) {
     if (grid.horseshoe) {
-      const std::vector<Strand> arcs = draw_horseshoe(column_of(grid, i, pattern), flatness);
+      const std::vector<Strand> arcs = draw_horseshoe(column_of(grid, i, pattern), flatness).arcs;
       pattern.strands.insert(pattern.strands.end(), arcs.begin(), arcs.end());
     } else {
       const double start = i * pattern.circumference_mm / grid.count();
@@ -85,14 +60,11 @@ void draw_grid(const Grid& grid, double flatness, Pattern& pattern) {
 Pattern draw_lattice(const Segment& segment, double flatness_mm) {
   const double circumference = 2 * std::numbers::pi * segment.lattice_mid_radius_mm();
   Pattern pattern{circumference, segment.length_mm, {}};
-  const std::vector<Grid>& grids = segment.lattice->grids;
   std::string problems;
-  for (std::size_t i = 0; i < grids.size(); ++i) {
-    if (grids[i].horseshoe) add_problems(grids[i], i, pattern, problems);
-  }
-  if (!problems.empty()) throw CannotDraw("the lattice cannot be drawn:\n" + problems);
+  for (const std::string& problem : drawing_problems(segment)) problems += "\n  " + problem;
+  if (!problems.empty()) throw CannotDraw("the lattice cannot be drawn:" + problems);
   draw_rings(*segment.lattice, pattern);
-  for (const Grid& grid : grids) draw_grid(grid, flatness_mm, pattern);
+  for (const Grid& grid : segment.lattice->grids) draw_grid(grid, flatness_mm, pattern);
   return pattern;
 }
 

@@ -17,8 +17,9 @@ struct PlanePoint {
   double z = 0;
 };
 
-/// One strand's filled outline: a simple polygon, counter-clockwise seen from outside the tube, in
-/// the plane before it is made periodic, 0 <= z <= length.
+/// One strand's filled outline, or an arc's of it: a simple polygon, counter-clockwise seen from
+/// outside the tube, in the plane before it is made periodic, 0 <= z <= length. Where an end of the
+/// segment cuts it into several parts, edges there and back along the end join them.
 struct Strand {
   std::vector<PlanePoint> outline;
 };

@@ -14,39 +14,52 @@ using ClipperLib::Path;
 using ClipperLib::Paths;
 
 // Offsetting works on integers. The period is a whole number of them, so that what is drawn on
-// either side of the seam is the same; 2^24 of them are finer than float32.
-constexpr cInt period = cInt{1} << 24;
+// either side of the seam is the same; 2^26 of them are finer than float32.
+constexpr cInt period = cInt{1} << 26;
+constexpr double finest_radius = 4;          // in those steps
+constexpr double first_offset_share = 0.05;  // of the flatness: it blunts outward corners
+constexpr double nearest_points = 2;         // in steps: closer ones are what rounding leaves
 
 struct IntegerGrid {
-  double step_mm;
-  Path path_of(const std::vector<PlanePoint>& outline, cInt shift) const {
+  double u_step_mm;
+  cInt length;
+
+  explicit IntegerGrid(const Pattern& pattern)
+      : u_step_mm(pattern.circumference_mm / static_cast<double>(period)),
+        length(std::llround(pattern.length_mm / u_step_mm)) {}
+
+  Path path_of(const std::vector<PlanePoint>& outline) const {
     Path path;
     for (const PlanePoint& p : outline) {
-      path.emplace_back(std::llround(p.u / step_mm) + shift, std::llround(p.z / step_mm));
+      path.emplace_back(std::llround(p.u / u_step_mm), std::llround(p.z / u_step_mm));
     }
     return path;
   }
 };
 
-// The strands' copies that reach into [-margin, period + margin].
-Paths copies_around_one_period(const Pattern& pattern, const IntegerGrid& grid, cInt margin) {
-  Paths copies;
+Path box(cInt left, cInt right, cInt length) {
+  return {{left, 0}, {right, 0}, {right, length}, {left, length}};
+}
+
+// The union of the strands' copies that reach into [-margin, period + margin], cut off there.
+Paths united_around_one_period(const Pattern& pattern, const IntegerGrid& grid, cInt margin) {
+  ClipperLib::Clipper clipper;
   for (const Strand& strand : pattern.strands) {
-    const Path path = grid.path_of(strand.outline, 0);
+    const Path path = grid.path_of(strand.outline);
     const auto [left, right] = std::minmax_element(
         path.begin(), path.end(), [](const auto& a, const auto& b) { return a.X < b.X; });
     const auto first = static_cast<cInt>(std::ceil(double(-margin - right->X) / period));
     const auto last = static_cast<cInt>(std::floor(double(period + margin - left->X) / period));
     for (cInt copy = first; copy <= last; ++copy) {
-      copies.push_back(grid.path_of(strand.outline, copy * period));
+      Path shifted = path;
+      for (auto& point : shifted) point.X += copy * period;
+      clipper.AddPath(shifted, ClipperLib::ptSubject, true);
     }
   }
-  return copies;
-}
-
-Paths united(const Paths& paths) {
+  clipper.AddPath(box(-margin, period + margin, grid.length), ClipperLib::ptClip, true);
   Paths result;
-  ClipperLib::SimplifyPolygons(paths, result, ClipperLib::pftNonZero);
+  clipper.Execute(ClipperLib::ctIntersection, result, ClipperLib::pftNonZero,
+                  ClipperLib::pftNonZero);
   return result;
 }
 
@@ -58,10 +71,10 @@ Paths offset(const Paths& paths, double distance, double flatness) {
   return result;
 }
 
-Paths clipped(const Paths& paths, cInt length) {
+Paths one_period_of(const Paths& paths, cInt length) {
   ClipperLib::Clipper clipper;
   clipper.AddPaths(paths, ClipperLib::ptSubject, true);
-  clipper.AddPath({{0, 0}, {period, 0}, {period, length}, {0, length}}, ClipperLib::ptClip, true);
+  clipper.AddPath(box(0, period, length), ClipperLib::ptClip, true);
   Paths result;
   clipper.Execute(ClipperLib::ctIntersection, result, ClipperLib::pftNonZero,
                   ClipperLib::pftNonZero);
@@ -71,18 +84,22 @@ Paths clipped(const Paths& paths, cInt length) {
 }  // namespace
 
 Pattern with_fillets(const Pattern& pattern, double radius_mm, double flatness_mm) {
-  const IntegerGrid grid{pattern.circumference_mm / static_cast<double>(period)};
-  const double radius = radius_mm / grid.step_mm;
-  const double flatness = flatness_mm / grid.step_mm;
+  const IntegerGrid grid(pattern);
+  const double radius = radius_mm / grid.u_step_mm;
+  if (radius < finest_radius || grid.length < 1) return pattern;
+  const double flatness = flatness_mm / grid.u_step_mm;
   const auto margin = static_cast<cInt>(4 * radius);
-  const Paths drawn = united(copies_around_one_period(pattern, grid, margin));
-  const Paths closed = offset(offset(drawn, radius, flatness), -radius, flatness);
+  const Paths drawn = united_around_one_period(pattern, grid, margin);
+  Paths closed = offset(offset(drawn, radius, first_offset_share * flatness), -radius, flatness);
+  ClipperLib::CleanPolygons(closed, nearest_points);
+  // The length need not be a whole number of steps.
+  const double z_step_mm = pattern.length_mm / static_cast<double>(grid.length);
   Pattern result{pattern.circumference_mm, pattern.length_mm, {}};
-  for (const Path& path : clipped(closed, std::llround(pattern.length_mm / grid.step_mm))) {
+  for (const Path& path : one_period_of(closed, grid.length)) {
     Strand strand;
     for (const auto& point : path) {
-      strand.outline.push_back({static_cast<double>(point.X) * grid.step_mm,
-                                static_cast<double>(point.Y) * grid.step_mm});
+      strand.outline.push_back({static_cast<double>(point.X) * grid.u_step_mm,
+                                static_cast<double>(point.Y) * z_step_mm});
     }
     result.strands.push_back(std::move(strand));
   }

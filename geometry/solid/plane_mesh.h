@@ -21,6 +21,8 @@ struct OutlineEdge {
   std::uint32_t to = 0;
   Layers left = 0;  ///< layers that are material on the left of from -> to; never none
   Layers right = 0;
+
+  bool operator==(const OutlineEdge&) const = default;
 };
 
 /// Triangles are counter-clockwise seen from outside the tube. Outline edges run with material on

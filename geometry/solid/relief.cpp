@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <numeric>
 #include <unordered_map>
@@ -56,7 +57,7 @@ class Wrapper {
 
   static bool has(Layers layers, std::size_t layer) { return ((layers >> layer) & 1U) != 0; }
 
-  // A layer under another one, or on one, has no face there.
+  // A layer under another one, or on one, has no face there; nor has the axis.
   void add_floors_and_ceilings(const std::array<std::uint32_t, 3>& triangle, Layers layers) {
     const auto [a, b, c] = triangle;
     for (std::size_t layer = 0; layer < layer_count(); ++layer) {
@@ -66,11 +67,13 @@ class Wrapper {
       if (layer + 1 == layer_count() || !has(layers, layer + 1)) {
         mesh_.triangles.push_back({vertex(a, top), vertex(b, top), vertex(c, top)});
       }
-      if (layer == 0 || !has(layers, layer - 1)) {
+      if (!on_axis(bottom) && (layer == 0 || !has(layers, layer - 1))) {
         mesh_.triangles.push_back({vertex(a, bottom), vertex(c, bottom), vertex(b, bottom)});
       }
     }
   }
+
+  bool on_axis(std::size_t level) const { return corner_radii_[level] == 0; }
 
   void add_walls(const OutlineEdge& edge) {
     for (std::size_t layer = 0; layer < layer_count(); ++layer) {
@@ -84,6 +87,11 @@ class Wrapper {
 
   // The wall under an outline edge with the material on its left, between two neighbouring radii.
   void add_wall(std::uint32_t from, std::uint32_t to, std::size_t level) {
+    if (on_axis(level)) {
+      mesh_.triangles.push_back(
+          {vertex(from, level), vertex(to, level + 1), vertex(from, level + 1)});
+      return;
+    }
     const std::array<std::uint32_t, 4> corners{vertex(from, level), vertex(to, level),
                                                vertex(to, level + 1), vertex(from, level + 1)};
     if (is_flat(from, to)) {
@@ -115,13 +123,19 @@ class Wrapper {
   }
 
   std::uint32_t vertex(std::uint32_t plane_vertex, std::size_t level) {
-    std::uint32_t& index = vertex_at_[plane_vertex * corner_radii_.size() + level];
+    std::uint32_t& index = on_axis(level)
+                               ? axis_vertex_.try_emplace(z_of(plane_vertex), unused).first->second
+                               : vertex_at_[plane_vertex * corner_radii_.size() + level];
     if (index == unused) {
       index = static_cast<std::uint32_t>(mesh_.vertices.size());
       mesh_.vertices.push_back(
           position(relief_.plane.vertices[plane_vertex], corner_radii_[level]));
     }
     return index;
+  }
+
+  std::int32_t z_of(std::uint32_t plane_vertex) const {
+    return relief_.plane.vertices[plane_vertex].point.z;
   }
 
   // On the chord between the column's two corner lines.
@@ -141,6 +155,7 @@ class Wrapper {
   std::vector<double> corner_radii_;      // of all levels
   std::vector<std::size_t> first_level_;  // of each layer, and the last level of all
   std::vector<std::uint32_t> vertex_at_;  // mesh vertex of (plane vertex, level)
+  std::map<std::int32_t, std::uint32_t> axis_vertex_;  // mesh vertex on the axis, by z
   TriangleMesh mesh_;
 };
 

@@ -14,7 +14,8 @@ namespace latticast {
 struct Relief {
   PlaneMesh plane;
   /// Of each layer: ascending, at least two: floor, levels that divide the walls, ceiling. The next
-  /// layer's floor is this one's ceiling.
+  /// layer's floor is this one's ceiling. The first floor may be 0, the axis of a solid rod, for
+  /// regions that run all the way around.
   std::vector<std::vector<double>> radii_mm;
   double start_z_mm = 0;  ///< where the segment begins along the actuator
 };

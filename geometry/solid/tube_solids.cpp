@@ -5,16 +5,21 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/mesh/weld.h"
 #include "geometry/pattern/pattern.h"
 #include "geometry/solid/arrangement.h"
+#include "geometry/solid/fillet.h"
 #include "geometry/solid/region.h"
 #include "geometry/solid/relief.h"
+#include "geometry/solid/self_intersection.h"
 
 namespace latticast {
 namespace {
 
 constexpr double most_triangles = 20e6;
 constexpr double fewest_steps_across = 16;
+constexpr double coarser = 4;                 // grid steps where arcs graze other outlines
+constexpr double coarsest_step_share = 0.05;  // of the tolerance
 
 // What is drawn, and between which radii it stands.
 struct Layer {
@@ -22,7 +27,11 @@ struct Layer {
   double floor_mm = 0;
   double ceiling_mm = 0;
   double steepness = 0;  // of its walls (relief.h)
+  double wall_tolerance_mm = 0;
   double thinnest_strand_mm = HUGE_VAL;
+  double fillet_mm = 0;
+  double flatness_mm = 0;  // of fillets
+  bool has_arcs = false;
 };
 
 // How finely a solid must be cut so that it stays within the tolerance, now and when it is
@@ -61,8 +70,16 @@ Cutting cutting(const Segment& segment, const SolidOptions& options, const Plane
   return cut;
 }
 
+// Arcs and fillets run in every direction.
+bool has_arcs(const Lattice& lattice) {
+  return lattice.fillet_mm > 0 ||
+         std::any_of(lattice.grids.begin(), lattice.grids.end(),
+                     [](const Grid& grid) { return grid.horseshoe.has_value(); });
+}
+
 // A helix is steepest at the smallest radius: its rise stays, its way around shrinks.
 double steepest_slant(const Segment& segment) {
+  if (has_arcs(*segment.lattice)) return 1;
   const double shrunk = segment.liner_outer_radius_mm() / segment.lattice_mid_radius_mm();
   double steepest = 0;
   for (const Grid& grid : segment.lattice->grids) {
@@ -102,47 +119,111 @@ void check_size(const Relief& relief) {
                       " million: use a coarser tolerance or fewer strands");
 }
 
-Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer layer) {
-  const double circumference = layer.pattern.circumference_mm;
+bool intersects_itself(const TriangleMesh& mesh) {
+  const TriangleMesh welded = weld(mesh);
+  std::vector<char> degenerate;
+  degenerate.reserve(welded.triangles.size());
+  for (const Triangle& t : welded.triangles) degenerate.push_back(is_degenerate(welded, t) ? 1 : 0);
+  return !self_intersections(welded, degenerate).empty();
+}
+
+// A layer's region on a grid, and what stands on it.
+struct LaidOut {
+  Region region;
+  Relief relief;
+};
+
+// How finely a layer is laid out: its grid, and the levels of its walls beyond what they need.
+struct Fineness {
+  double step_mm = finest_step_mm;
+  int levels = 1;
+};
+
+LaidOut lay_out(const Segment& segment, const SolidOptions& options, const Layer& layer,
+                const Fineness& fineness) {
   const PlaneGrid grid =
-      make_plane_grid(circumference, segment.length_mm, columns_of(segment, options),
-                      finest_step_mm, options.start_z_mm);
+      make_plane_grid(layer.pattern.circumference_mm, segment.length_mm,
+                      columns_of(segment, options), fineness.step_mm, options.start_z_mm);
   check_widths(layer, grid);
   const Cutting cut = cutting(segment, options, grid);
-  const Region region = unite(std::move(layer.pattern), grid, cut.heights, options.tolerance_mm);
-  const Relief relief{triangulate(region),
-                      {wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
-                                  layer.steepness, options.tolerance_mm)},
-                      options.start_z_mm};
+  Region region = unite(layer.pattern, grid, cut.heights, options.tolerance_mm);
+  const double tolerance = layer.wall_tolerance_mm / fineness.levels;
+  Relief relief{triangulate(region),
+                {wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
+                            layer.steepness, tolerance)},
+                options.start_z_mm};
   check_size(relief);
+  return {std::move(region), std::move(relief)};
+}
+
+// Where an arc grazes another outline, the space between them may be narrower than what their walls
+// leave their surfaces by. A coarser grid joins such outlines, further levels keep walls apart.
+LaidOut lay_out_clear(const Segment& segment, const SolidOptions& options, const Layer& layer,
+                      TriangleMesh& mesh) {
+  const double coarsest = std::min(coarsest_step_share * options.tolerance_mm,
+                                   layer.thinnest_strand_mm / (2 * fewest_steps_across));
+  Fineness fineness;
+  LaidOut laid_out = lay_out(segment, options, layer, fineness);
+  mesh = wrap(laid_out.relief);
+  while (layer.has_arcs && fineness.step_mm < coarsest && intersects_itself(mesh)) {
+    fineness = {std::min(coarsest, coarser * fineness.step_mm), 2 * fineness.levels};
+    laid_out = lay_out(segment, options, layer, fineness);
+    mesh = wrap(laid_out.relief);
+  }
+  return laid_out;
+}
+
+Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer layer) {
+  if (layer.fillet_mm > 0) {
+    layer.pattern = with_fillets(layer.pattern, layer.fillet_mm, layer.flatness_mm);
+  }
   Solid solid;
-  solid.mesh = wrap(relief);
+  const LaidOut laid_out = lay_out_clear(segment, options, layer, solid.mesh);
   const double height = layer.ceiling_mm - layer.floor_mm;
-  const double mid_radius = circumference / (2 * std::numbers::pi);
+  const double mid_radius = layer.pattern.circumference_mm / (2 * std::numbers::pi);
   const double both_radii = layer.ceiling_mm + layer.floor_mm;
-  const double area = area_mm2(region);
+  const double area = area_mm2(laid_out.region);
   solid.volume_mm3 = area * height * both_radii / (2 * mid_radius);
   // Floor and ceiling lie within the tolerance of their cylinders.
   solid.volume_bound_mm3 = area / mid_radius * both_radii * options.tolerance_mm;
-  solid.pieces = pieces(relief.plane);
-  solid.genus = outline_loops(region) - solid.pieces;
+  solid.pieces = pieces(laid_out.relief.plane);
+  solid.genus = outline_loops(laid_out.region) - solid.pieces;
   return solid;
 }
 
 }  // namespace
 
 Solid lattice_solid(const Segment& segment, const SolidOptions& options) {
-  return wrap_layer(
-      segment, options,
-      {draw_lattice(segment, 0.5 * options.tolerance_mm), segment.liner_outer_radius_mm(),
-       segment.outer_radius_mm(), steepest_slant(segment), thinnest_strand_mm(*segment.lattice)});
+  const Lattice& lattice = *segment.lattice;
+  // Half of the tolerance for an arc's chords, which grow with the radius where they are seen, and
+  // half for the wall that stands on them.
+  const double share = has_arcs(lattice) ? 0.5 : 1;
+  const double flatness = 0.5 * options.tolerance_mm * segment.lattice_mid_radius_mm() /
+                          (segment.outer_radius_mm() * std::max(1.0, options.stretch_radius));
+  Layer layer{draw_lattice(segment, flatness),
+              segment.liner_outer_radius_mm(),
+              segment.outer_radius_mm(),
+              steepest_slant(segment),
+              share * options.tolerance_mm,
+              thinnest_strand_mm(lattice),
+              lattice.fillet_mm,
+              flatness,
+              has_arcs(lattice)};
+  if (options.twist_rad_per_mm != 0 && !lattice.grids.empty()) {
+    // Along a cut's height walls turn as much again as around a column. Flat ones, halved by a
+    // diagonal, then leave their surface by 1/4 of that in place of 1/16.
+    layer.steepness = 1;
+    layer.wall_tolerance_mm /= 4;
+  }
+  return wrap_layer(segment, options, std::move(layer));
 }
 
 Solid liner_solid(const Segment& segment, const SolidOptions& options) {
   const double inner = segment.inner_radius_mm();
   const double outer = segment.liner_outer_radius_mm();
   return wrap_layer(segment, options,
-                    {draw_sleeve(0.5 * (inner + outer), segment.length_mm), inner, outer});
+                    {draw_sleeve(0.5 * (inner + outer), segment.length_mm), inner, outer, 0,
+                     options.tolerance_mm});
 }
 
 }  // namespace latticast

@@ -18,14 +18,16 @@ struct SolidOptions {
 /// A mesh with what the planar region says that it must be.
 struct Solid {
   TriangleMesh mesh;
-  double volume_mm3 = 0;        ///< exact: region area x (R_o^2 - R_m^2) / (2 R_c)
+  double volume_mm3 = 0;  ///< of the drawn region, exact: area x (R_o^2 - R_m^2) / (2 R_c); chords
+                          ///< of horseshoe arcs enclose the arcs' area, those of fillets do not
   double volume_bound_mm3 = 0;  ///< how far a mesh within the tolerance may be from it
   int pieces = 0;               ///< connected components
   int genus = 0;                ///< summed over the pieces
 };
 
 /// The lattice layer R_m..R_o of a segment. Precondition: the segment has a lattice.
-/// Throws GeometryError, UnsupportedDesign (arrangement.h, pattern.h).
+/// Arcs and fillets stay within the tolerance of the true ones at every radius, chords and walls
+/// together. Throws GeometryError, CannotDraw (arrangement.h, pattern.h).
 Solid lattice_solid(const Segment& segment, const SolidOptions& options);
 
 /// The liner R_i..R_m, open at both ends.

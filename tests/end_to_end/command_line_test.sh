@@ -99,7 +99,7 @@ holds test ! -e bad
 sed 's/    angle = 36/    angle = 36\n    horseshoe = { radius = 2.5 }/' "$design" >horseshoe.toml
 expect 2 "$program" build horseshoe.toml -o bad
 err_says "the lattice cannot be drawn"
-err_says "segment 1"
+err_says "segment[0].lattice.grid[0]"
 err_says "radius"
 holds test ! -e bad
 sed 's/liner = true/liner_mold = { wall = 5 }/' "$design" >mold.toml

@@ -34,6 +34,7 @@ owners='
 ^fmt/                spec geometry/mesh geometry/pattern geometry/solid model molds export app
 ^Eigen/              geometry/mesh geometry/pattern geometry/solid model
 ^(CGAL|boost)/       geometry/solid molds
+^polyclipping/       geometry/solid
 ^(gmp|gmpxx|mpfr)\.h geometry/solid molds
 ^(sundials|kinsol|cvodes|nvector|sunmatrix|sunlinsol|sunnonlinsol)/ model
 ^assimp/             export

@@ -69,12 +69,17 @@ class Writer {
     draft.lattice_thickness = draft.liner_thickness * random_.between(0.2, 1);
     draft.thinnest = std::min(draft.liner_thickness, draft.lattice_thickness);
     const bool rings = one_in(2);
-    if (rings) add_rings(draft);
     const int families = random_.whole(rings ? 0 : 1, 3);
+    if (one_in(4)) add_fillet(draft);
+    if (rings) add_rings(draft);
     double angle = 0;
     for (int i = 0; i < families; ++i) {
       angle = i == 0 || one_in(2) ? any_angle() : angle_near(angle);
-      add_family(draft, angle);
+      if (one_in(3)) {
+        add_horseshoes(draft);
+      } else {
+        add_family(draft, angle);
+      }
     }
     return draft;
   }
@@ -141,6 +146,46 @@ class Writer {
     draft.thinnest = std::min(draft.thinnest, 0.5 * width);
     draft.outlines_around += 2 * count * draft.length / std::abs(std::tan(radians)) / around;
     draft.outline_count += 2 * count;
+  }
+
+  void add_fillet(SegmentDraft& draft) {
+    const double fillet = draft.inner_radius * random_.log_between(0.003, 0.7);
+    draft.lattice_text += "fillet = " + number(fillet) + "\n";
+    draft.thinnest = std::min(draft.thinnest, fillet);
+  }
+
+  // Mostly columns that close and leave gaps.
+  void add_horseshoes(SegmentDraft& draft) {
+    const double middle =
+        draft.inner_radius + draft.liner_thickness + 0.5 * draft.lattice_thickness;
+    const double around = 2 * std::numbers::pi * middle;
+    const double angle = one_in(3) ? 90 : random_.between(20, 160);
+    const double sine = std::sin(angle * std::numbers::pi / 180);
+    const bool alternate = !one_in(4);
+    const double arc = one_in(3) ? 180 : random_.between(30, one_in(8) ? 270 : 180);
+    const double bend = std::sin(0.5 * arc * std::numbers::pi / 180);
+    const int count = random_.whole(1, 8);
+    const double share = around * sine / count;
+    const double longest = std::min(share, draft.length / sine);
+    const int arcs = std::min(40, static_cast<int>(std::ceil(draft.length / sine / longest *
+                                                             random_.log_between(0.7, 5))));
+    const double closing = draft.length / sine / arcs / (2 * bend);
+    const double radius = one_in(12) ? closing * random_.between(0.9, 1.1) : closing;
+    const double width = random_.log_between(0.05, 0.7) * std::min(1.5 * radius, share);
+    draft.lattice_text += "[[segment.lattice.grid]]\nangle = " + number(angle) +
+                          "\ncount = " + std::to_string(count) + "\n";
+    if (one_in(3)) {
+      draft.lattice_text += "width = { from = " + number(width) + ", to = " + number(0.5 * width) +
+                            ", profile = " + any_of("\"cosine\"", "\"halves\"") + " }\n";
+    } else {
+      draft.lattice_text += "width = " + number(width) + "\n";
+    }
+    draft.lattice_text += "horseshoe = { radius = " + number(radius) + ", arc = " + number(arc) +
+                          ", alternate = " + (alternate ? "true" : "false") + " }\n";
+    draft.thinnest = std::min(draft.thinnest, 0.5 * width);
+    const double along = arcs * radius * arc * std::numbers::pi / 180;
+    draft.outlines_around += 4 * count * along / around;
+    draft.outline_count += 4 * count * arcs;
   }
 
   // As fine as anyone may ask for, but not so fine that the tests take hours.

@@ -95,14 +95,13 @@ void add_rest_parts(const Design& design, std::size_t s, std::vector<Expected>& 
 
 void add_preview_parts(const Design& design, std::vector<Expected>& parts) {
   if (!design.make.preview) return;
-  const std::vector<PressureShape> shapes = predict_preview(design);
+  const std::vector<PreviewShape> shapes = predict_preview(design);
   for (std::size_t s = 0; s < design.segments.size(); ++s) {
     // Finer columns may open a gap of a grid step that coarser ones closed.
     const Solid lattice = lattice_solid(
         design.segments[s], preview_options(design, s, start_of_segment(design, s), shapes));
-    for (const PressureShape& shape : shapes) {
-      const std::string pressure = std::to_string(std::lround(shape.pressure_kpa));
-      const std::string stem = part_name(design, s, "preview-" + pressure + "kPa-");
+    for (const PreviewShape& shape : shapes) {
+      const std::string stem = part_name(design, s, "preview-" + shape.label + "-");
       parts.push_back({stem + "lattice", lattice.pieces, lattice.genus, 0});
       parts.push_back({stem + "liner", 1, 1, 0});
     }

@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "model/shape.h"
-#include "model/workspace.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {
@@ -142,28 +141,6 @@ TEST(BentShape, BendsTowardMinusKappa) {
   const Point tip = shape.tip().origin;
   EXPECT_NEAR(std::atan2(tip[1], tip[0]) + 2 * pi, shape.bend_direction_rad(0), 1e-12);
   EXPECT_NEAR(shape.bend_rad(0), 85 * std::hypot(0.008, 0.003), 1e-14);
-}
-
-TEST(Workspace, IsTheChainsTip) {
-  Segment bending = paper_segment({});
-  bending.lattice->grids.push_back(
-      {90, {3.5, 3.5, 3.5, 3.5, 2, 2, 2, 2}, Horseshoe{85.0 / 32, 180, true}});
-  const std::vector<Segment> segments = {bending, paper_segment({36})};
-  const std::vector<PreparedSegment> prepared = {prepare_segment(bending, {}),
-                                                 prepare_segment(segments[1], {})};
-  const std::vector<std::vector<double>> pressures = {{0, 15, 30}, {0, 20, 40, 60}};
-  const auto places = workspace(prepared, pressures);
-  ASSERT_EQ(places.size(), 12U);
-  EXPECT_NEAR(places[0].tip.origin[2], 170, 1e-12);
-  for (const TipPlace& place : places) {
-    std::vector<State> chain;
-    for (std::size_t i = 0; i < 2; ++i) {
-      chain.push_back(*predict(prepared[i], std::vector{place.pressures_kpa[i]}).states[0]);
-    }
-    const Point tip = Shape(segments, chain).tip().origin;
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(place.tip.origin[i], tip[i], 1e-8);
-  }
-  EXPECT_THROW(workspace(prepared, {}), std::invalid_argument);
 }
 
 }  // namespace

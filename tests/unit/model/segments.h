@@ -44,6 +44,27 @@ inline Segment paper_segment(std::initializer_list<double> angles_deg) {
   return segment;
 }
 
+/// `count` widths, thick ones first on half of the tube.
+inline std::vector<double> halves(int count, double thick, double thin) {
+  std::vector<double> widths(count, thin);
+  for (int j = 0; 2 * j < count; ++j) widths[j] = thick;
+  return widths;
+}
+
+/// The paper's tube with one family of horseshoe strands; R_h = 85/32 mm puts 8 waves on 85 mm.
+inline Segment columns(const std::vector<double>& widths, double angle_deg = 90,
+                       Horseshoe horseshoe = {85.0 / 32, 180, true}) {
+  Segment segment = paper_segment({});
+  segment.lattice->grids.push_back({angle_deg, widths, horseshoe});
+  return segment;
+}
+
+/// The bending of the whole length, degrees.
+template <class State>
+double bend_deg(const State& state, double length_mm = 85) {
+  return state.bend_magnitude_rad_per_mm() * length_mm / degree;
+}
+
 inline ModelChoice with_joint(JointModel joint) {
   ModelChoice model;
   model.joint = joint;

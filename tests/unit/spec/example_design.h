@@ -22,6 +22,7 @@ length = 85
   [segment.lattice]
   thickness = 2
   material = "hei-cast-8400"
+  fillet = 0.5
 
     [segment.lattice.rings]
     count = 8

@@ -85,6 +85,9 @@ void expect_rules_of(const Segment& segment, const Design& design) {
   if (!segment.lattice) return;
   EXPECT_TRUE(is_length(segment.lattice->thickness_mm));
   EXPECT_LT(design.output.tolerance_mm, segment.lattice->thickness_mm);
+  const double fillet = segment.lattice->fillet_mm;
+  EXPECT_TRUE(fillet == 0 || (is_length(fillet) && fillet < segment.lattice_mid_radius_mm() &&
+                              fillet > design.output.tolerance_mm));
   EXPECT_TRUE(segment.lattice->rings || !segment.lattice->grids.empty());
   expect_rules_of(segment.lattice->material, true);
   if (segment.lattice->rings) expect_rules_of(*segment.lattice->rings, segment.length_mm);

@@ -109,6 +109,14 @@ const BadDesign of_materials[] = {
 };
 
 const BadDesign of_lattices[] = {
+    {"FilletZero", "fillet = 0.5", "fillet = 0", "segment[0].lattice.fillet", "0.001", ""},
+    {"FilletNegative", "fillet = 0.5", "fillet = -1", "segment[0].lattice.fillet", "0.001", ""},
+    {"FilletIsText", "fillet = 0.5", "fillet = \"round\"", "segment[0].lattice.fillet", "number",
+     ""},
+    {"FilletAsLargeAsTheTube", "fillet = 0.5", "fillet = 17", "segment[0].lattice.fillet",
+     "less than the lattice's mid radius, 17 mm", "smaller radius"},
+    {"FilletBelowTheTolerance", "fillet = 0.5\n", "fillet = 0.02\n", "export.tolerance",
+     "finer than the thinnest layer, strand, ring or fillet, 0.02 mm", "finer", 73},
     {"RingCountOne", "count = 8\n    width = 2.5", "count = 1\n    width = 2.5",
      "segment[0].lattice.rings.count", "whole number from 2 to 10000", ""},
     {"RingCountABillion", "count = 8\n    width = 2.5", "count = 1000000000\n    width = 2.5",

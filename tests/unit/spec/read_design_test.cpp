@@ -32,6 +32,7 @@ TEST(ReadDesign, FirstSegmentOfTheWholeGrammar) {
   ASSERT_TRUE(first.lattice);
   EXPECT_EQ(first.lattice->thickness_mm, 2);
   EXPECT_EQ(std::get<Linear>(first.lattice->material.law).youngs_modulus_mpa, 19.46);
+  EXPECT_EQ(first.lattice->fillet_mm, 0.5);
   ASSERT_TRUE(first.lattice->rings);
   EXPECT_EQ(first.lattice->rings->count, 8);
   EXPECT_FALSE(first.lattice->rings->pitch_mm);
@@ -55,6 +56,7 @@ TEST(ReadDesign, SecondAndThirdSegmentOfTheWholeGrammar) {
   EXPECT_EQ(yeoh.c2_mpa, -0.001);
   EXPECT_EQ(yeoh.c3_mpa, 0.0001);
   ASSERT_TRUE(second.lattice);
+  EXPECT_EQ(second.lattice->fillet_mm, 0);
   EXPECT_EQ(std::get<Linear>(second.lattice->material.law).youngs_modulus_mpa, 30);
   EXPECT_EQ(std::get<Linear>(second.lattice->material.law).poisson_ratio, 0.4);
   EXPECT_EQ(second.lattice->rings->pitch_mm, 10);

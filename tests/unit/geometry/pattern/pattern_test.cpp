@@ -6,8 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "spec/unsupported_design.h"
-
 namespace latticast {
 namespace {
 
@@ -130,15 +128,28 @@ TEST(Pattern, SleeveCoversThePlane) {
   EXPECT_DOUBLE_EQ(total_area(pattern), 28 * std::numbers::pi * 85);
 }
 
-TEST(Pattern, HorseshoesAreRefusedByName) {
+TEST(Pattern, HorseshoesAreDrawnBesideStraightStripsAndRings) {
   Segment segment = example_segment();
-  segment.lattice->grids = {family(36, {2})};
-  segment.lattice->grids[0].horseshoe = Horseshoe{2.656, 180, true};
-  try {
-    draw_lattice(segment, 0.005);
-    FAIL() << "a horseshoe was drawn as something else";
-  } catch (const UnsupportedDesign& refusal) {
-    EXPECT_NE(std::string(refusal.what()).find("horseshoe"), std::string::npos);
+  segment.lattice->rings = Rings{8, std::nullopt, 2};
+  segment.lattice->grids = {family(36, {2}), family(90, {1, 2, 1, 2})};
+  segment.lattice->grids[1].horseshoe = Horseshoe{85.0 / 32, 150, true};
+  const double radius = 85.0 / 32 / std::sin(75 * radians_per_degree);
+  segment.lattice->grids[1].horseshoe->radius_mm = radius;
+  const double circumference = 2 * std::numbers::pi * 17;
+  const double arcs = 16 * radius * 150 * radians_per_degree * (1 + 2 + 1 + 2);
+  const double strips = 85 * 2 / std::sin(36 * radians_per_degree);
+  const Pattern pattern = draw_lattice(segment, 0.005);
+  EXPECT_NEAR(total_area(pattern), 8 * 2 * circumference + strips + arcs, 1e-9);
+  // Strand j starts at its place around the tube.
+  for (int j = 0; j < 4; ++j) {
+    const double start = j * circumference / 4;
+    bool found = false;
+    for (const Strand& strand : pattern.strands) {
+      for (const PlanePoint& p : strand.outline) {
+        found |= p.z == 0 && std::abs(p.u - start) < segment.lattice->grids[1].widths_mm[j];
+      }
+    }
+    EXPECT_TRUE(found) << "strand " << j;
   }
 }
 

@@ -58,7 +58,7 @@ TEST(WallRadii, AddLevelsOnlyWhereTheToleranceNeedsThem) {
 }
 
 Relief relief_of(const RandomPlane& plane, std::vector<double> radii, const Region& region) {
-  return {triangulate(region), std::move(radii), plane.pattern.length_mm / 3};
+  return {triangulate(region), {std::move(radii)}, plane.pattern.length_mm / 3};
 }
 
 TEST(Wrap, OfRandomRegionsIsClosedWithTheRegionsTopologyAndVolume) {
