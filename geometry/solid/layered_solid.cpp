@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/solid/layered_solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "geometry/solid/relief.h"
+
+namespace latticast {
+namespace {
+
+constexpr double on_radius = 0.05;  // of the radius: corners and chords lie this near to it
+constexpr double on_height_mm = 1e-6;
+
+}  // namespace
+
+Solid layered_solid(const LayeredTube& tube, double tolerance_mm) {
+  const double circumference = 2 * std::numbers::pi * tube.drawn_radius_mm;
+  const double outer = tube.layers.back().ceiling_mm;
+  const PlaneGrid grid =
+      make_plane_grid(circumference, tube.length_mm, columns_for(outer, tolerance_mm),
+                      finest_step_mm, tube.start_z_mm);
+  std::vector<Pattern> sheets = tube.sheets;
+  sheets[0] = closed_pattern(std::move(sheets[0]), grid, tolerance_mm);
+  const Region region = layered_region(sheets, grid, {}, tube.filling);
+  Relief relief{triangulate(region), {}, tube.start_z_mm};
+  Solid solid;
+  for (std::size_t i = 0; i < tube.layers.size(); ++i) {
+    const RadialLayer& layer = tube.layers[i];
+    relief.radii_mm.push_back(wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
+                                         tube.steepness, tolerance_mm));
+    const double per_radius = area_mm2(region, static_cast<int>(i)) / tube.drawn_radius_mm;
+    const double both = layer.ceiling_mm + layer.floor_mm;
+    solid.volume_mm3 += 0.5 * per_radius * both * (layer.ceiling_mm - layer.floor_mm);
+    solid.volume_bound_mm3 += per_radius * both * tolerance_mm;
+  }
+  solid.mesh = wrap(relief);
+  const ReliefTopology counted = topology(relief.plane, static_cast<int>(tube.layers.size()));
+  solid.pieces = counted.pieces;
+  solid.genus = counted.genus;
+  return solid;
+}
+
+Strand drawn_band(double drawn_radius_mm, double z_from_mm, double z_to_mm) {
+  return drawn_window(drawn_radius_mm, 0, 2 * std::numbers::pi, z_from_mm, z_to_mm);
+}
+
+Strand drawn_window(double drawn_radius_mm, double from_rad, double to_rad, double z_from_mm,
+                    double z_to_mm) {
+  const double left = drawn_radius_mm * from_rad;
+  const double right = drawn_radius_mm * to_rad;
+  return {{{left, z_from_mm}, {right, z_from_mm}, {right, z_to_mm}, {left, z_to_mm}}};
+}
+
+Strand drawn_disc(double drawn_radius_mm, double at_rad, double z_mm, double radius_mm,
+                  double flatness_mm) {
+  const double step = std::min(0.5, std::sqrt(12 * flatness_mm / radius_mm));
+  const int steps = std::max(12, static_cast<int>(std::ceil(2 * std::numbers::pi / step)));
+  const double angle = 2 * std::numbers::pi / steps;
+  const double corner = radius_mm * std::sqrt(angle / std::sin(angle));
+  Strand strand;
+  for (int i = 0; i < steps; ++i) {
+    strand.outline.push_back({drawn_radius_mm * at_rad + corner * std::cos(i * angle),
+                              z_mm + corner * std::sin(i * angle)});
+  }
+  return strand;
+}
+
+void chamfer(TriangleMesh& mesh, double z_mm, double radius_mm, double depth_mm) {
+  const double factor = (radius_mm - depth_mm) / radius_mm;
+  for (Point& p : mesh.vertices) {
+    if (std::abs(p[2] - z_mm) > on_height_mm) continue;
+    if (std::abs(std::hypot(p[0], p[1]) / radius_mm - 1) > on_radius) continue;
+    p[0] *= factor;
+    p[1] *= factor;
+  }
+}
+
+}  // namespace latticast
