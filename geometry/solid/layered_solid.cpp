@@ -10,7 +10,7 @@
 namespace latticast {
 namespace {
 
-constexpr double on_radius = 0.05;  // of the radius: corners and chords lie this near to it
+constexpr double on_radius = 0.005;  // of the radius: corners and chords lie this near to it
 constexpr double on_height_mm = 1e-6;
 
 }  // namespace
@@ -23,7 +23,11 @@ Solid layered_solid(const LayeredTube& tube, double tolerance_mm) {
                       finest_step_mm, tube.start_z_mm);
   std::vector<Pattern> sheets = tube.sheets;
   sheets[0] = closed_pattern(std::move(sheets[0]), grid, tolerance_mm);
-  const Region region = layered_region(sheets, grid, {}, tube.filling);
+  std::vector<std::int32_t> cuts;
+  for (const double z : tube.cuts_mm) {
+    cuts.push_back(static_cast<std::int32_t>(std::lround(z / grid.z_step_mm)));
+  }
+  const Region region = layered_region(sheets, grid, cuts, tube.filling);
   Relief relief{triangulate(region), {}, tube.start_z_mm};
   Solid solid;
   for (std::size_t i = 0; i < tube.layers.size(); ++i) {
@@ -36,7 +40,7 @@ Solid layered_solid(const LayeredTube& tube, double tolerance_mm) {
     solid.volume_bound_mm3 += per_radius * both * tolerance_mm;
   }
   solid.mesh = wrap(relief);
-  const ReliefTopology counted = topology(relief.plane, static_cast<int>(tube.layers.size()));
+  const ReliefTopology counted = topology(relief);
   solid.pieces = counted.pieces;
   solid.genus = counted.genus;
   return solid;

@@ -26,6 +26,7 @@ struct LayeredTube {
                                 ///< on sheet 0 only
   Filling filling;              ///< layers that are material, by the sheets that cover a place
   std::vector<RadialLayer> layers;
+  std::vector<double> cuts_mm;  ///< heights at which all walls are cut, rising, between the ends
   double steepness =
       0;  ///< of the steepest wall (relief.h): 0 when all run along or around the tube
 };

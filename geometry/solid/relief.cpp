@@ -187,9 +187,21 @@ int euler_characteristic(const PlaneMesh& plane, Layers layers) {
   return corners - (3 * triangles - shared) + triangles;
 }
 
+// Connected parts of layer 0.
+int parts_of_first_layer(const PlaneMesh& plane) {
+  PlaneMesh alone;
+  alone.vertices = plane.vertices;
+  for (std::size_t i = 0; i < plane.triangles.size(); ++i) {
+    if ((plane.layers[i] & 1U) != 0) alone.triangles.push_back(plane.triangles[i]);
+  }
+  return pieces(alone);
+}
+
 }  // namespace
 
-ReliefTopology topology(const PlaneMesh& plane, int layers) {
+ReliefTopology topology(const Relief& relief) {
+  const PlaneMesh& plane = relief.plane;
+  const auto layers = static_cast<int>(relief.radii_mm.size());
   // Cells are triangles of one layer; the solid's pieces join across edges and between layers.
   const std::size_t triangles = plane.triangles.size();
   std::vector<std::uint32_t> parent(triangles * layers);
@@ -212,6 +224,8 @@ ReliefTopology topology(const PlaneMesh& plane, int layers) {
   for (int layer = 0; layer < layers; ++layer) {
     const Layers here = Layers{1} << layer;
     characteristic += euler_characteristic(plane, here);
+    // A band around the axis, of characteristic 0, is closed by it to a disc.
+    if (relief.radii_mm[layer].front() == 0) characteristic += parts_of_first_layer(plane);
     for_each_shared_edge(
         plane, here, [&](std::size_t a, std::size_t b) { join(cell(a, layer), cell(b, layer)); });
     for (std::size_t i = 0; i < triangles; ++i) cells += (plane.layers[i] & here) != 0 ? 1 : 0;

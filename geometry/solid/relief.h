@@ -27,9 +27,10 @@ struct ReliefTopology {
 };
 
 /// From the layers alone: a solid M of stacked layers has the Euler characteristic sum of
-/// chi(layer) less sum of chi(what neighbouring layers share), its surface twice that.
-/// Precondition: of two neighbouring layers, one lies within the other.
-ReliefTopology topology(const PlaneMesh& plane, int layers = 1);
+/// chi(layer) less sum of chi(what neighbouring layers share), its surface twice that; bands that
+/// reach the axis are discs. Preconditions: of two neighbouring layers, one lies within the other
+/// at every edge between them; no void is enclosed.
+ReliefTopology topology(const Relief& relief);
 
 /// Wraps a relief into one closed, outward-oriented mesh with shared vertices.
 ///

@@ -83,7 +83,7 @@ TEST(Layers, OfRandomGroovedShellsAreClosedWithTheirTopologyAndVolume) {
     const Relief relief{triangulate(region), radii, 0};
     const TriangleMesh mesh = wrap(relief);
     ASSERT_TRUE(is_closed_and_oriented(mesh));
-    const ReliefTopology expected = topology(relief.plane, 2);
+    const ReliefTopology expected = topology(relief);
     EXPECT_EQ(components(mesh), expected.pieces);
     EXPECT_EQ(genus(mesh), expected.genus);
     const double volume = area_mm2(region, 0) * share(0.9 * middle, middle, around) +
@@ -104,9 +104,9 @@ TEST(Layers, OfASingleSheetAreTheUnion) {
   const Region layered = layered_region({&closed, 1}, plane.grid, {}, [](unsigned s) { return s; });
   EXPECT_EQ(area_mm2(united), area_mm2(layered));
   EXPECT_EQ(outline_loops(united), outline_loops(layered));
-  const PlaneMesh mesh = triangulate(united);
-  EXPECT_EQ(topology(mesh).pieces, pieces(mesh));
-  EXPECT_EQ(topology(mesh).genus, outline_loops(united) - pieces(mesh));
+  const Relief relief{triangulate(united), {{4, 5}}, 0};
+  EXPECT_EQ(topology(relief).pieces, pieces(relief.plane));
+  EXPECT_EQ(topology(relief).genus, outline_loops(united) - pieces(relief.plane));
 }
 
 TEST(Layers, ReachTheAxis) {
@@ -121,6 +121,8 @@ TEST(Layers, ReachTheAxis) {
   EXPECT_TRUE(is_closed_and_oriented(mesh));
   EXPECT_EQ(components(mesh), 1);
   EXPECT_EQ(genus(mesh), 0);
+  EXPECT_EQ(topology(rod).pieces, 1);
+  EXPECT_EQ(topology(rod).genus, 0);
   const double volume = std::numbers::pi * (25 * 30 + (64 - 25) * 10);
   EXPECT_NEAR(volume_mm3(mesh), volume, 1e-4 * volume);
 }

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a mold consists of.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geometry/solid/tube_solids.h"
+
+namespace latticast {
+
+/// One printed piece, where it stands in the assembled mold: pouring position, axis along +z, the
+/// cavity's bottom at z = 0, Theta as in the design.
+struct MoldPiece {
+  std::string name;  ///< "shell-1", "core", "base", "cap", "plug-inlet"
+  Solid solid;
+  std::string use;  ///< one line for the bill of pieces
+  /// Taken off sideways in the direction Theta = pull_rad; otherwise along the axis.
+  bool pulls_sideways = false;
+  double pull_rad = 0;
+};
+
+/// How a mold's pieces fit.
+struct MoldFit {
+  double clearance_mm = 0.3;   ///< between pieces that are put together, on the diameter
+  double wall_mm = 5;          ///< thinnest wall around the cavity
+  double tolerance_mm = 0.01;  ///< chord error
+  double growth = 1;           ///< of every cavity size, against the casting's shrinkage
+};
+
+/// Pieces and what is poured between them.
+struct Mold {
+  std::vector<MoldPiece> pieces;
+  double cavity_mm3 = 0;           ///< to be filled, sprues and vents left out
+  std::vector<std::string> notes;  ///< what a maker must know, a sentence each
+};
+
+}  // namespace latticast

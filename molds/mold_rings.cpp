@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "molds/mold_rings.h"
+
+#include <numbers>
+
+#include "geometry/solid/layered_solid.h"
+
+namespace latticast {
+namespace {
+
+constexpr unsigned whole = 1;
+constexpr unsigned beside_socket = 2;
+constexpr unsigned rim = 4;
+constexpr unsigned opening = 8;
+
+// From the plate's outer face towards the cavity: floor, socket, rim.
+Pattern upside(const Pattern& pattern, bool upwards) {
+  Pattern turned = pattern;
+  if (!upwards) return turned;
+  for (Strand& strand : turned.strands) {
+    for (PlanePoint& p : strand.outline) p.z = pattern.length_mm - p.z;
+    std::swap(strand.outline[1], strand.outline[3]);
+  }
+  return turned;
+}
+
+}  // namespace
+
+Solid core_solid(const Core& core, double tolerance_mm) {
+  const double length = core.to_mm - core.from_mm;
+  const LayeredTube rod{core.radius_mm,
+                        length,
+                        core.from_mm,
+                        {draw_sleeve(core.radius_mm, length)},
+                        [](unsigned sheets) { return sheets & 1U; },
+                        {{0, core.radius_mm}},
+                        {core.chamfer_mm, length - core.chamfer_mm}};
+  Solid solid = layered_solid(rod, tolerance_mm);
+  for (const double end : {core.from_mm, core.to_mm}) {
+    chamfer(solid.mesh, end, core.radius_mm, core.chamfer_mm);
+  }
+  const double r = core.radius_mm;
+  const double small = r - core.chamfer_mm;
+  const double cone = (r * r + r * small + small * small) / 3;
+  solid.volume_mm3 -= 2 * std::numbers::pi * core.chamfer_mm * (r * r - cone);
+  return solid;
+}
+
+Solid end_plate_solid(const EndPlate& plate, double face_mm, bool upwards, double tolerance_mm) {
+  const double slack = 0.5 * plate.clearance_mm;
+  const double inner = plate.core_radius_mm + slack;
+  const double shell = plate.shell_radius_mm + slack;
+  const double outer = shell + plate.wall_mm;
+  const double plate_height = plate.floor_mm + plate.socket_mm;
+  const double height = plate_height + plate.rim_mm;
+  const double drawn = shell;
+  const double around = 2 * std::numbers::pi * drawn;
+
+  const Pattern all{around, height, {drawn_band(drawn, 0, height)}};
+  const Pattern above_floor{around, height, {drawn_band(drawn, plate.floor_mm, height)}};
+  const Pattern above_plate{around, height, {drawn_band(drawn, plate_height, height)}};
+  Pattern openings{around, height, {}};
+  for (const double middle : plate.openings_rad) {
+    const double half = 0.5 * plate.opening_width_rad;
+    openings.strands.push_back(drawn_window(drawn, middle - half, middle + half, 0, plate_height));
+  }
+
+  // Socket, the plate up to the openings, the openings, the plate beyond them, the rim.
+  const bool has_socket = plate.core_radius_mm > 0;
+  std::vector<RadialLayer> layers;
+  std::vector<unsigned> absent;
+  const auto add = [&](double to, unsigned where) {
+    layers.push_back({layers.empty() ? 0 : layers.back().ceiling_mm, to});
+    absent.push_back(where);
+  };
+  if (has_socket) add(inner, beside_socket | rim);
+  if (!plate.openings_rad.empty()) {
+    add(plate.opening_from_mm, rim);
+    add(plate.opening_to_mm, rim | opening);
+  }
+  add(shell, rim);
+  add(outer, 0);
+  const auto filling = [absent](unsigned sheets) {
+    Layers material = 0;
+    if ((sheets & whole) == 0) return material;
+    for (std::size_t i = 0; i < absent.size(); ++i) {
+      if ((sheets & absent[i]) == 0) material |= Layers{1} << i;
+    }
+    return material;
+  };
+  LayeredTube tube{drawn, height, 0, {}, filling, layers, {}};
+  for (const Pattern& sheet : {all, above_floor, above_plate, openings}) {
+    tube.sheets.push_back(upside(sheet, upwards));
+  }
+  tube.start_z_mm = upwards ? face_mm - plate.rim_mm : face_mm - plate_height;
+  return layered_solid(tube, tolerance_mm);
+}
+
+}  // namespace latticast
