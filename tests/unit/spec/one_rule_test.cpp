@@ -116,7 +116,7 @@ const BadDesign of_lattices[] = {
     {"FilletAsLargeAsTheTube", "fillet = 0.5", "fillet = 17", "segment[0].lattice.fillet",
      "less than the lattice's mid radius, 17 mm", "smaller radius"},
     {"FilletBelowTheTolerance", "fillet = 0.5\n", "fillet = 0.02\n", "export.tolerance",
-     "finer than the thinnest layer, strand, ring or fillet, 0.02 mm", "finer", 73},
+     "finer than the thinnest layer, strand, ring or fillet, 0.02 mm", "finer", 74},
     {"RingCountOne", "count = 8\n    width = 2.5", "count = 1\n    width = 2.5",
      "segment[0].lattice.rings.count", "whole number from 2 to 10000", ""},
     {"RingCountABillion", "count = 8\n    width = 2.5", "count = 1000000000\n    width = 2.5",
