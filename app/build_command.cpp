@@ -16,6 +16,11 @@
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/solid/audit.h"
 #include "geometry/solid/tube_solids.h"
+#if LATTICAST_HAS_MOLDS
+#include "app/mold_picture.h"
+#include "app/mold_set.h"
+#include "export/atomic_file.h"
+#endif
 #if LATTICAST_HAS_PREDICT
 #include "app/preview.h"
 #endif
@@ -38,12 +43,21 @@ class Builder {
       start_z_mm_.push_back(start);
       start += segment.length_mm;
     }
-    count_steps();
   }
 
   // Returns the list of files, for people.
   std::string run() {
+#if LATTICAST_HAS_MOLDS
+    const std::vector<PlannedMold> molds = make_molds(design_, plan_);
+    for (const PlannedMold& planned : molds) {
+      steps_ += static_cast<int>(planned.mold.pieces.size());
+    }
+#endif
+    count_steps();
     for (std::size_t s = 0; s < design_.segments.size(); ++s) build_segment(s);
+#if LATTICAST_HAS_MOLDS
+    for (const PlannedMold& planned : molds) build_mold(planned);
+#endif
 #if LATTICAST_HAS_PREDICT
     if (plan_.runs(Stage::preview)) build_preview();
 #endif
@@ -55,7 +69,7 @@ class Builder {
   void count_steps() {
     const std::size_t parts = plan_.runs(Stage::lattice) + plan_.runs(Stage::liner);
     const std::size_t shapes = plan_.runs(Stage::preview) ? design_.make.preview->cases.size() : 0;
-    steps_ = static_cast<int>(design_.segments.size() * (parts + 2 * shapes));
+    steps_ += static_cast<int>(design_.segments.size() * (parts + 2 * shapes));
   }
 
   void build_segment(std::size_t s) {
@@ -70,6 +84,20 @@ class Builder {
       deliver(part_name(s, "liner"), liner_solid(segment, options));
     }
   }
+
+#if LATTICAST_HAS_MOLDS
+  void build_mold(const PlannedMold& planned) {
+    const std::string stem = part_name(planned.segment, planned.kind);
+    for (const MoldPiece& piece : planned.mold.pieces) {
+      begin(stem + "-" + piece.name);
+      deliver(stem + "-" + piece.name, piece.solid);
+    }
+    write_png(staging_.add(stem + ".png"), exploded_picture(planned.mold));
+    write_file_atomically(staging_.add(stem + ".md"), planned.procedure);
+    summary_ += fmt::format("{}.md: pieces, assembly and pouring; {}.png: the mold taken apart\n",
+                            stem, stem);
+  }
+#endif
 
 #if LATTICAST_HAS_PREDICT
   void build_preview() {
@@ -152,7 +180,12 @@ class Builder {
 };
 
 bool makes_anything(const Plan& plan) {
-  return plan.runs(Stage::lattice) || plan.runs(Stage::liner) || plan.runs(Stage::preview);
+  return plan.runs(Stage::lattice) || plan.runs(Stage::liner) || plan.runs(Stage::preview) ||
+         plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold);
+}
+
+bool draws_lattice(const Plan& plan) {
+  return plan.runs(Stage::lattice) || plan.runs(Stage::preview) || plan.runs(Stage::lattice_mold);
 }
 
 }  // namespace
@@ -168,7 +201,7 @@ ExitStatus run_build(const BuildArguments& arguments, const Console& console) {
   const std::vector<std::string> missing = unavailable(plan, *design);
   for (const std::string& line : missing) console.error(line);
   if (!missing.empty()) return ExitStatus::invalid;
-  if (plan.runs(Stage::lattice) || plan.runs(Stage::preview)) require_drawable(design->segments);
+  if (draws_lattice(plan)) require_drawable(design->segments);
   if (arguments.dry_run) return ExitStatus::done;
   if (!makes_anything(plan)) {
     console.note("nothing to make: name what you want under [make], for example lattice = true");

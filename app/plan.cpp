@@ -106,7 +106,8 @@ PlannedStage plan_part(const Design& design, Stage stage, const std::vector<Stag
   if (narrowed && std::find(chosen.begin(), chosen.end(), stage) == chosen.end()) {
     return {stage, false, "left out by --only"};
   }
-  if (stage == Stage::lattice && !has_lattice(design)) {
+  const bool needs_lattice = stage == Stage::lattice || stage == Stage::lattice_mold;
+  if (needs_lattice && !has_lattice(design)) {
     return {stage, false, "no segment has a lattice"};
   }
   return {stage, true, fmt::format("[make] names {}", part->key)};
@@ -175,14 +176,18 @@ Plan plan_build(const Design& design, const std::vector<std::string>& only) {
 
 std::vector<std::string> unavailable(const Plan& plan, const Design& design) {
   std::vector<std::string> missing;
-  for (const Stage stage : {Stage::lattice_mold, Stage::liner_mold, Stage::report}) {
-    if (!plan.runs(stage)) continue;
-    missing.push_back(
-        fmt::format("[make] asks for the {0}, which this version cannot make yet: take it out of "
-                    "[make], or name "
-                    "the other parts with --only",
-                    name(stage)));
+  if (plan.runs(Stage::report)) {
+    missing.emplace_back(
+        "[make] asks for the report, which this version cannot make yet: take it out of [make], or "
+        "name the other parts with --only");
   }
+#if !LATTICAST_HAS_MOLDS
+  if (plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold)) {
+    missing.emplace_back(
+        "this program was built without molds: build it with -DLATTICAST_MOLDS=ON, or leave them "
+        "out with --only");
+  }
+#endif
   for (const MeshFormat format : design.output.formats) {
     if (format == MeshFormat::stl || format == MeshFormat::obj) continue;
     missing.emplace_back(

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mold taken apart, for people who assemble it.
+#pragma once
+
+#include "export/picture.h"
+#include "molds/mold_piece.h"
+
+namespace latticast {
+
+/// The pieces moved apart the way they come off: shells along their pull directions, base and cap
+/// along the axis, the core in its place; whatever else there is stands beside.
+Image exploded_picture(const Mold& mold);
+
+}  // namespace latticast

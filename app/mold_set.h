@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The molds that a design asks for, segment by segment.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/plan.h"
+#include "molds/mold_piece.h"
+#include "spec/design.h"
+
+namespace latticast {
+
+/// A mold with its place in the design, ready to be written.
+struct PlannedMold {
+  std::size_t segment = 0;
+  std::string kind;  ///< "lattice-mold" or "liner-mold": part of every file's name
+  Mold mold;
+  std::string procedure;  ///< Markdown: bill of pieces, assembly, pouring, demolding
+};
+
+/// Makes the molds that the plan runs. Throws GeometryError, CannotDraw (a mold that cannot be made
+/// says why and what to change).
+std::vector<PlannedMold> make_molds(const Design& design, const Plan& plan);
+
+}  // namespace latticast
