@@ -70,12 +70,12 @@ Solid end_plate_solid(const EndPlate& plate, double face_mm, bool upwards, doubl
   std::vector<RadialLayer> layers;
   std::vector<unsigned> absent;
   const auto add = [&](double to, unsigned where) {
-    layers.push_back({layers.empty() ? 0 : layers.back().ceiling_mm, to});
+    layers.push_back({layers.empty() ? plate.hole_radius_mm : layers.back().ceiling_mm, to});
     absent.push_back(where);
   };
   if (has_socket) add(inner, beside_socket | rim);
   if (!plate.openings_rad.empty()) {
-    add(plate.opening_from_mm, rim);
+    if (!has_socket || plate.opening_from_mm > inner) add(plate.opening_from_mm, rim);
     add(plate.opening_to_mm, rim | opening);
   }
   add(shell, rim);

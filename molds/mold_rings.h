@@ -24,6 +24,7 @@ Solid core_solid(const Core& core, double tolerance_mm);
 /// over the shell, the socket is `socket_mm` deep, and `floor_mm` of plate lie behind it.
 struct EndPlate {
   double core_radius_mm = 0;   ///< 0: no socket
+  double hole_radius_mm = 0;   ///< of a round hole through the middle of a plate without socket
   double shell_radius_mm = 0;  ///< outside of the shell
   double rim_mm = 6;
   double socket_mm = 5;
@@ -31,7 +32,8 @@ struct EndPlate {
   double wall_mm = 5;       ///< of the rim
   double clearance_mm = 0;  ///< on the diameter, of socket and rim
   /// Openings through the plate, for pouring and for air: windows of the annulus between two radii,
-  /// both outside of the socket and inside of the shell.
+  /// both inside of the shell. An inner radius within the socket lets the windows open into it;
+  /// the lands between them then hold the core.
   double opening_from_mm = 0;
   double opening_to_mm = 0;
   std::vector<double> openings_rad;  ///< middles

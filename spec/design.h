@@ -85,13 +85,23 @@ struct ModelChoice {
   JointModel joint = JointModel::clear_span;
 };
 
+/// Cast in a grooved mold, or in a flexible mold made around a printed pattern.
+enum class MoldMethod { direct, replica };
+
 struct LatticeMold {
   std::optional<int> pieces;  ///< absent: chosen from the undercuts ("auto")
   double wall_mm = 5;
+  MoldMethod method = MoldMethod::direct;
 };
+
+/// Open at both ends; closed at the upper end; with flanges that take the lattice between them.
+enum class LinerEnds { open, closed, flanged };
 
 struct LinerMold {
   double wall_mm = 5;
+  LinerEnds ends = LinerEnds::open;
+  bool keyed = false;  ///< cast inside the finished lattice
+  int pieces = 2;      ///< of the shell
 };
 
 struct Preview {
@@ -124,6 +134,12 @@ struct Printer {
   std::optional<double> clearance_mm;
   std::optional<std::array<double, 3>> bed_mm;
 };
+
+/// Between pieces that are put together, on the diameter: as given, or what is usual for the
+/// process.
+inline double fit_clearance_mm(const Printer& printer) {
+  return printer.clearance_mm.value_or(printer.process == Process::sla ? 0.15 : 0.3);
+}
 
 struct Design {
   std::string name;

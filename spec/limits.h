@@ -38,6 +38,7 @@ inline constexpr Range poisson_ratio{0, 0.5};
 inline constexpr Range gent_limit{1e-3, 1e6};
 inline constexpr Range strain{1e-3, 100};
 inline constexpr Range density{0.01, 30, "g/cm3"};
+inline constexpr Range shrinkage{0, 0.2};
 inline constexpr Range modulus_low{1e-3, 1};
 inline constexpr Range modulus_high{1, 1e3};
 

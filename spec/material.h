@@ -43,6 +43,7 @@ struct Material {
   std::optional<double> max_strain;           ///< engineering strain up to which the law was fitted
   std::optional<double> elongation_at_break;  ///< engineering strain
   std::optional<double> density_g_per_cm3;
+  std::optional<double> shrinkage;  ///< linear, of the mold's size: casting = mold (1 - shrinkage)
   std::optional<double> modulus_low_factor;  ///< known modulus band: low = factor * stated modulus
   std::optional<double> modulus_high_factor;
   std::string source;  ///< where the constants come from

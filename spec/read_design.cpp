@@ -47,9 +47,9 @@ Design read_tables(Section file, const MaterialLibrary& materials) {
   const Field segments = file.need("segment", "a line [[segment]], with its keys below");
   design.segments = read_segments(segments, materials, design.model.columns);
   design.load = read_load(file.may("load"), design.segments.size());
-  design.make = read_make(file.may("make"), design.segments);
-  design.output = read_export(file, design.segments);
   design.printer = read_printer(file.may("printer"));
+  design.make = read_make(file.may("make"), design.segments, design.printer);
+  design.output = read_export(file, design.segments);
   file.refuse_unknown_keys();
   return design;
 }

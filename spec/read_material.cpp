@@ -73,6 +73,7 @@ std::optional<Material> read_entry(const std::string& name, Section table, bool 
   material.max_strain = table.may("max_strain").optional_number(limits::strain);
   material.elongation_at_break = table.may("elongation_at_break").optional_number(limits::strain);
   material.density_g_per_cm3 = table.may("density").optional_number(limits::density);
+  material.shrinkage = table.may("shrinkage").optional_number(limits::shrinkage);
   read_modulus_band(table.may("modulus_band"), material);
   const Field source =
       needs_source ? table.need("source", R"(source = "own tensile test")") : table.may("source");

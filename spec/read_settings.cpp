@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "spec/pressure_sweep.h"
+#include "spec/read_molds.h"
 
 namespace latticast {
 namespace {
@@ -114,31 +115,6 @@ std::vector<LoadCase> read_case_grid(const Field& field, std::size_t segments) {
   return combined(sides);
 }
 
-std::optional<LatticeMold> read_lattice_mold(const Field& field) {
-  if (!field.present()) return std::nullopt;
-  Section table = field.section(R"(write lattice_mold = { pieces = "auto", wall = 5 }, or {})");
-  LatticeMold mold;
-  const Field pieces = table.may("pieces");
-  const bool is_auto = pieces.is_text() && pieces.text() == "auto";
-  if (pieces.is_text() && !is_auto) {
-    pieces.refuse("must be \"auto\" or a whole number", R"(write pieces = "auto" or pieces = 4)");
-  } else if (!is_auto) {
-    mold.pieces = pieces.whole(2, limits::mold_pieces);
-  }
-  mold.wall_mm = table.may("wall").number_or(mold.wall_mm, limits::length);
-  table.refuse_unknown_keys();
-  return mold;
-}
-
-std::optional<LinerMold> read_liner_mold(const Field& field) {
-  if (!field.present()) return std::nullopt;
-  Section table = field.section("write liner_mold = { wall = 5 }, or {}");
-  LinerMold mold;
-  mold.wall_mm = table.may("wall").number_or(mold.wall_mm, limits::length);
-  table.refuse_unknown_keys();
-  return mold;
-}
-
 std::optional<Preview> read_preview(const Field& field, std::size_t segments) {
   if (!field.present()) return std::nullopt;
   Section table = field.section("write preview = { pressures = [0, 20, 40] }");
@@ -230,25 +206,24 @@ ModelChoice read_model(const Field& field) {
   return model;
 }
 
-Make read_make(const Field& field, const std::vector<Segment>& segments) {
+Make read_make(const Field& field, const std::vector<Segment>& segments, const Printer& printer) {
   Section table = field.section("start with a line [make]");
+  const MoldSurroundings around{segments, fit_clearance_mm(printer)};
   const Field lattice = table.may("lattice");
-  const Field lattice_mold = table.may("lattice_mold");
   Make make;
   make.lattice = lattice.flag_or(false);
   make.liner = table.may("liner").flag_or(false);
-  make.lattice_mold = read_lattice_mold(lattice_mold);
-  make.liner_mold = read_liner_mold(table.may("liner_mold"));
+  make.lattice_mold = read_lattice_mold(table.may("lattice_mold"), around);
+  make.liner_mold = read_liner_mold(table.may("liner_mold"), around);
   make.preview = read_preview(table.may("preview"), segments.size());
   make.report = table.may("report").flag_or(false);
   table.refuse_unknown_keys();
 
   const auto has_lattice = [](const Segment& segment) { return segment.lattice.has_value(); };
-  if (!segments.empty() && std::none_of(segments.begin(), segments.end(), has_lattice)) {
-    const std::string rule = "a lattice must be there to be made, but no segment has one";
-    const std::string hint = "add [segment.lattice], or leave this out";
-    if (make.lattice) lattice.refuse(rule, hint);
-    if (make.lattice_mold) lattice_mold.refuse(rule, hint);
+  if (make.lattice && !segments.empty() &&
+      std::none_of(segments.begin(), segments.end(), has_lattice)) {
+    lattice.refuse("a lattice must be there to be made, but no segment has one",
+                   "add [segment.lattice], or leave this out");
   }
   return make;
 }

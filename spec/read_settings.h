@@ -15,8 +15,8 @@ std::vector<LoadCase> read_load(const Field& field, std::size_t segments);
 
 ModelChoice read_model(const Field& field);
 
-/// [make]. A lattice can be made only where some segment has one.
-Make read_make(const Field& field, const std::vector<Segment>& segments);
+/// [make]. A lattice can be made only where some segment has one; molds suit the printer.
+Make read_make(const Field& field, const std::vector<Segment>& segments, const Printer& printer);
 
 /// [export] of the file. The tolerance, written or not, must be finer than the thinnest layer and
 /// the narrowest strand, ring or fillet.

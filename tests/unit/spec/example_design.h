@@ -71,7 +71,7 @@ length = 20
   [segment.liner]
   inner_radius = 10
   thickness = 3
-  material = { law = "gent", mu = 0.05, jm = 40 }
+  material = { law = "gent", mu = 0.05, jm = 40, shrinkage = 0.004 }
 
 [load]
 pressure = { from = 0, to = 60, step = 20 }
@@ -89,8 +89,8 @@ joint = "paper"
 [make]
 lattice = true
 liner = true
-lattice_mold = { pieces = 3, wall = 4 }
-liner_mold = { wall = 6 }
+lattice_mold = { pieces = 3, wall = 4, method = "replica" }
+liner_mold = { wall = 6, ends = "closed", keyed = false, pieces = 4 }
 preview = { pressures = [0, [20, 0, -5], 40] }
 report = true
 

@@ -115,9 +115,12 @@ void expect_rules_of(const Design& design) {
   }
   if (design.make.lattice_mold) {
     EXPECT_TRUE(is_length(design.make.lattice_mold->wall_mm));
+    EXPECT_LT(fit_clearance_mm(design.printer), design.make.lattice_mold->wall_mm);
   }
   if (design.make.liner_mold) {
     EXPECT_TRUE(is_length(design.make.liner_mold->wall_mm));
+    EXPECT_LT(fit_clearance_mm(design.printer), design.make.liner_mold->wall_mm);
+    EXPECT_TRUE(design.make.liner_mold->pieces >= 2 && design.make.liner_mold->pieces <= 100);
   }
   if (design.printer.bed_mm) {
     for (const double side : *design.printer.bed_mm) EXPECT_TRUE(is_length(side));

@@ -71,6 +71,7 @@ TEST(ReadDesign, SecondAndThirdSegmentOfTheWholeGrammar) {
   EXPECT_TRUE(second.lattice->grids[1].horseshoe->alternate);
   EXPECT_FALSE(design.segments[2].lattice);
   EXPECT_EQ(std::get<Gent>(design.segments[2].liner.material.law).limit_jm, 40);
+  EXPECT_EQ(design.segments[2].liner.material.shrinkage, 0.004);
 }
 
 TEST(ReadDesign, GradedWidths) {
@@ -107,8 +108,12 @@ TEST(ReadDesign, SettingsOfTheWholeGrammar) {
   ASSERT_TRUE(design.make.lattice_mold);
   EXPECT_EQ(design.make.lattice_mold->pieces, 3);
   EXPECT_EQ(design.make.lattice_mold->wall_mm, 4);
+  EXPECT_EQ(design.make.lattice_mold->method, MoldMethod::replica);
   ASSERT_TRUE(design.make.liner_mold);
   EXPECT_EQ(design.make.liner_mold->wall_mm, 6);
+  EXPECT_EQ(design.make.liner_mold->ends, LinerEnds::closed);
+  EXPECT_FALSE(design.make.liner_mold->keyed);
+  EXPECT_EQ(design.make.liner_mold->pieces, 4);
   ASSERT_TRUE(design.make.preview);
   ASSERT_EQ(design.make.preview->cases.size(), 3U);
   EXPECT_EQ(design.make.preview->cases[0].pressures_kpa, std::vector<double>(3, 0.0));
@@ -142,12 +147,34 @@ TEST(ReadDesign, WhatIsLeftOutHasItsDefault) {
 }
 
 TEST(ReadDesign, EmptyMoldTablesTakeTheirDefaults) {
-  const Design design = read_valid(
-      replaced(replaced(whole_grammar, "{ pieces = 3, wall = 4 }", R"({ pieces = "auto" })"),
-               "{ wall = 6 }", "{}"));
+  const Design design =
+      read_valid(replaced(replaced(whole_grammar, "{ pieces = 3, wall = 4, method = \"replica\" }",
+                                   R"({ pieces = "auto" })"),
+                          "{ wall = 6, ends = \"closed\", keyed = false, pieces = 4 }", "{}"));
   EXPECT_FALSE(design.make.lattice_mold->pieces);
   EXPECT_EQ(design.make.lattice_mold->wall_mm, 5);
+  EXPECT_EQ(design.make.lattice_mold->method, MoldMethod::direct);
   EXPECT_EQ(design.make.liner_mold->wall_mm, 5);
+  EXPECT_EQ(design.make.liner_mold->ends, LinerEnds::open);
+  EXPECT_FALSE(design.make.liner_mold->keyed);
+  EXPECT_EQ(design.make.liner_mold->pieces, 2);
+}
+
+TEST(ReadDesign, ALinerMoldMayBeKeyedOrFlangedWhereThereIsALattice) {
+  const std::string tube = std::string(smallest_design) +
+                           "[segment.lattice]\nthickness = 2\nmaterial = \"hei-cast-8400\"\n"
+                           "[segment.lattice.rings]\ncount = 3\nwidth = 2\n[make]\n";
+  EXPECT_TRUE(read_valid(tube + "liner_mold = { keyed = true }\n").make.liner_mold->keyed);
+  const Design flanged = read_valid(tube + "liner_mold = { ends = \"flanged\" }\n");
+  EXPECT_EQ(flanged.make.liner_mold->ends, LinerEnds::flanged);
+}
+
+TEST(ReadDesign, ClearanceIsThatOfTheProcessUnlessGiven) {
+  Printer printer;
+  EXPECT_EQ(fit_clearance_mm(printer), 0.3);
+  printer.process = Process::sla;
+  EXPECT_EQ(fit_clearance_mm(printer), 0.15);
+  EXPECT_EQ(fit_clearance_mm(read_valid(whole_grammar).printer), 0.2);
 }
 
 TEST(ReadDesign, RodsTakeALinearLiner) {
