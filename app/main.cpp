@@ -24,6 +24,9 @@
 #include "app/interrupt.h"
 #include "geometry/pattern/pattern.h"
 #include "geometry/solid/arrangement.h"
+#if LATTICAST_HAS_MOLDS
+#include "molds/cannot_mold.h"
+#endif
 #if LATTICAST_HAS_PREDICT
 #include "app/preview.h"
 #endif
@@ -146,6 +149,11 @@ ExitStatus run_guarded(const CLI::App& app, const CommandLine& typed, const Cons
   } catch (const Interrupted& fault) {
     console.error(fault.what());
     return ExitStatus::interrupted;
+#if LATTICAST_HAS_MOLDS
+  } catch (const CannotMold& fault) {
+    console.error(fault.what());
+    return ExitStatus::invalid;
+#endif
 #if LATTICAST_HAS_PREDICT
   } catch (const NoEquilibrium& fault) {
     console.error(fault.what());

@@ -19,8 +19,8 @@ struct PlannedMold {
   std::string procedure;  ///< Markdown: bill of pieces, assembly, pouring, demolding
 };
 
-/// Makes the molds that the plan runs. Throws GeometryError, CannotDraw (a mold that cannot be made
-/// says why and what to change).
+/// Makes the molds that the plan runs. Throws CannotMold (also for pieces that exceed the printer's
+/// bed), CannotDraw, GeometryError.
 std::vector<PlannedMold> make_molds(const Design& design, const Plan& plan);
 
 }  // namespace latticast

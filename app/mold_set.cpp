@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mold_set.h"
+
+#include <fmt/core.h>
+
+#include "molds/cannot_mold.h"
+#include "molds/lattice_mold.h"
+#include "molds/liner_mold.h"
+#include "molds/plugs.h"
+#include "molds/pour_plan.h"
+#include "molds/print_size.h"
+
+namespace latticast {
+namespace {
+
+// A rubber is stretched far below its break when it is peeled out of a groove, again and again.
+constexpr double share_of_break = 0.25;
+constexpr double usual_strain = 0.5;
+
+MoldFit fit_of(const Design& design, const Material& cast, double wall_mm) {
+  return {fit_clearance_mm(design.printer), wall_mm, design.output.tolerance_mm, mold_growth(cast)};
+}
+
+LatticeMoldOptions lattice_options(const Design& design, const Lattice& lattice) {
+  const LatticeMold& asked = *design.make.lattice_mold;
+  const std::optional<double>& at_break = lattice.material.elongation_at_break;
+  return {fit_of(design, lattice.material, asked.wall_mm), asked.pieces,
+          at_break ? share_of_break * *at_break : usual_strain};
+}
+
+LinerMoldOptions liner_options(const Design& design, const Liner& liner) {
+  const LinerMold& asked = *design.make.liner_mold;
+  return {fit_of(design, liner.material, asked.wall_mm), asked.ends, asked.keyed, asked.pieces};
+}
+
+PlannedMold planned_lattice_mold(const Design& design, std::size_t s) {
+  const Segment& segment = design.segments[s];
+  Mold mold = lattice_mold(segment, lattice_options(design, *segment.lattice));
+  std::string procedure = pour_procedure({fmt::format("Lattice of segment {}", s + 1),
+                                          mold,
+                                          segment.lattice->material,
+                                          design.printer.process,
+                                          false,
+                                          {}});
+  return {s, "lattice-mold", std::move(mold), std::move(procedure)};
+}
+
+PlannedMold planned_liner_mold(const Design& design, std::size_t s) {
+  const Segment& segment = design.segments[s];
+  const LinerMoldOptions options = liner_options(design, segment.liner);
+  Mold mold = liner_mold(segment, options);
+  PlugOptions plug_options;
+  plug_options.tolerance_mm = design.output.tolerance_mm;
+  plug_options.closed_end = options.ends == LinerEnds::closed;
+  std::vector<MoldPiece> plugs = end_plugs(segment, plug_options);
+  std::string procedure =
+      pour_procedure({fmt::format("Liner of segment {}", s + 1), mold, segment.liner.material,
+                      design.printer.process, options.keyed, plugs});
+  for (MoldPiece& plug : plugs) mold.pieces.push_back(std::move(plug));
+  return {s, "liner-mold", std::move(mold), std::move(procedure)};
+}
+
+void check_bed(const Design& design, const std::vector<PlannedMold>& molds) {
+  if (!design.printer.bed_mm) return;
+  std::string problems;
+  for (const PlannedMold& planned : molds) {
+    for (const MoldPiece& piece : planned.mold.pieces) {
+      const std::string problem = bed_problem(piece, *design.printer.bed_mm);
+      if (problem.empty()) continue;
+      problems += fmt::format("\n  segment {}, {}, {}: {}", planned.segment + 1, planned.kind,
+                              piece.name, problem);
+    }
+  }
+  if (!problems.empty()) throw CannotMold("the mold does not fit the printer:" + problems);
+}
+
+}  // namespace
+
+std::vector<PlannedMold> make_molds(const Design& design, const Plan& plan) {
+  std::vector<PlannedMold> molds;
+  for (std::size_t s = 0; s < design.segments.size(); ++s) {
+    if (plan.runs(Stage::lattice_mold) && design.segments[s].lattice) {
+      molds.push_back(planned_lattice_mold(design, s));
+    }
+    if (plan.runs(Stage::liner_mold)) molds.push_back(planned_liner_mold(design, s));
+  }
+  check_bed(design, molds);
+  return molds;
+}
+
+}  // namespace latticast

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "molds/lattice_mold.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "geometry/solid/arrangement.h"
+#include "geometry/solid/fillet.h"
+#include "molds/mold_rings.h"
+
+namespace latticast {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double shortest_land_mm = 4;
+constexpr double socket_mm = 5;
+constexpr double floor_mm = 4;
+constexpr double strap_width_mm = 6;
+constexpr double strap_depth_mm = 1.5;
+constexpr double strap_step_mm = 0.5;
+constexpr double least_piece_mm = 2;
+constexpr int most_attempts = 8;
+constexpr double seam_nudge_mm = 0.037;
+
+Segment grown(Segment segment, double growth) {
+  segment.length_mm *= growth;
+  segment.liner.inner_radius_mm *= growth;
+  segment.liner.thickness_mm *= growth;
+  if (!segment.lattice) return segment;
+  Lattice& lattice = *segment.lattice;
+  lattice.thickness_mm *= growth;
+  lattice.fillet_mm *= growth;
+  if (lattice.rings) {
+    lattice.rings->width_mm *= growth;
+    if (lattice.rings->pitch_mm) *lattice.rings->pitch_mm *= growth;
+  }
+  for (Grid& grid : lattice.grids) {
+    for (double& width : grid.widths_mm) width *= growth;
+    if (grid.horseshoe) grid.horseshoe->radius_mm *= growth;
+  }
+  return segment;
+}
+
+Pattern raised(Pattern pattern, double land) {
+  for (Strand& strand : pattern.strands) {
+    for (PlanePoint& p : strand.outline) p.z += land;
+  }
+  pattern.length_mm += 2 * land;
+  return pattern;
+}
+
+void refuse_impossible(const Segment& segment, const MoldFit& fit) {
+  if (!(fit.wall_mm > 0)) throw CannotMold("the mold needs a wall: give wall more than 0");
+  if (!(fit.clearance_mm < fit.wall_mm)) {
+    throw CannotMold(
+        fmt::format("a clearance of {:.3g} mm leaves nothing of a wall of {:.3g} mm: use a thicker "
+                    "wall or a finer printer",
+                    fit.clearance_mm, fit.wall_mm));
+  }
+  if (!(0.5 * fit.clearance_mm < segment.lattice->thickness_mm)) {
+    throw CannotMold(fmt::format(
+        "half the clearance of {:.3g} mm is as deep as the lattice's grooves, {:.3g} mm: use a "
+        "thicker lattice or a finer printer",
+        fit.clearance_mm, segment.lattice->thickness_mm));
+  }
+}
+
+void refuse_narrow_pieces(const Parting& parting, double clearance) {
+  const double breadth = 2 * pi * parting.drawn_radius_mm / parting.pieces - clearance;
+  if (breadth >= least_piece_mm) return;
+  throw CannotMold(fmt::format("{} shell pieces would be {:.2g} mm broad: ask for fewer",
+                               parting.pieces, std::max(0.0, breadth)));
+}
+
+int bores_under(const StrapGroove& strap, const std::vector<Bore>& bores) {
+  return static_cast<int>(std::count_if(bores.begin(), bores.end(), [&](const Bore& b) {
+    return b.middle.z + b.radius_mm > strap.from_mm && b.middle.z - b.radius_mm < strap.to_mm;
+  }));
+}
+
+// Of the places between two heights, the one that covers fewest bores, as near as possible to
+// `wanted`.
+StrapGroove place_strap(double lowest, double highest, double wanted,
+                        const std::vector<Bore>& bores) {
+  StrapGroove best{wanted, wanted + strap_width_mm};
+  int fewest = bores_under(best, bores);
+  for (double off = strap_step_mm; fewest > 0 && off < highest - lowest; off += strap_step_mm) {
+    for (const double from : {wanted - off, wanted + off}) {
+      if (from < lowest || from + strap_width_mm > highest) continue;
+      const StrapGroove strap{from, from + strap_width_mm};
+      const int under = bores_under(strap, bores);
+      if (under >= fewest) continue;
+      fewest = under;
+      best = strap;
+    }
+  }
+  return best;
+}
+
+// One in either half of the shell, between the rims of base and cap; one in the middle of a short
+// shell, none where there is no room.
+std::vector<StrapGroove> place_straps(double length, double rim, const std::vector<Bore>& bores) {
+  const double lowest = rim + 1;
+  const double highest = length - rim - 1;
+  const double middle = 0.5 * length;
+  const double half = highest - middle;
+  if (half < 0.5 * strap_width_mm) return {};
+  if (half < 1.5 * strap_width_mm) {
+    return {place_strap(lowest, highest, middle - 0.5 * strap_width_mm, bores)};
+  }
+  const double in = 0.5 * (half - strap_width_mm);
+  return {place_strap(lowest, middle - 1, lowest + in, bores),
+          place_strap(middle + 1, highest, highest - in - strap_width_mm, bores)};
+}
+
+Mold shell_pieces(const LatticeMoldPlan& plan) {
+  const Shell& shell = plan.shell;
+  Mold mold;
+  for (int k = 0; k < shell.parting.pieces; ++k) {
+    mold.pieces.push_back({fmt::format("shell-{}", k + 1),
+                           shell_solid(shell, k, plan.options.fit.tolerance_mm),
+                           "grooved shell, strapped around the core", true,
+                           std::remainder(pull_rad(shell.parting, k), 2 * pi)});
+  }
+  return mold;
+}
+
+Mold shell_pieces_nudged(LatticeMoldPlan plan) {
+  const Parting& parting = plan.shell.parting;
+  const double first = parting.first_seam_rad;
+  for (int attempt = 1;; ++attempt) {
+    try {
+      return shell_pieces(plan);
+    } catch (const GeometryError&) {
+      if (attempt == most_attempts) throw;
+      plan.shell.parting.first_seam_rad = first + attempt * seam_nudge_mm / parting.drawn_radius_mm;
+    }
+  }
+}
+
+void add_rings(const LatticeMoldPlan& plan, Mold& mold) {
+  const MoldFit& fit = plan.options.fit;
+  const double length = plan.segment.length_mm;
+  const double core = plan.shell.cast.floor_mm;
+  const double low = plan.shell.start_z_mm;
+  const double high = length + plan.land_mm;
+  const double chamfer = std::min(1.0, 0.25 * core);
+  mold.pieces.push_back(
+      {"core",
+       core_solid({core, low - socket_mm, high + socket_mm - fit.clearance_mm, chamfer},
+                  fit.tolerance_mm),
+       "smooth rod, the lattice's inner face"});
+  EndPlate plate;
+  plate.core_radius_mm = core;
+  plate.shell_radius_mm = plan.shell.outer_radius_mm;
+  plate.rim_mm = plan.land_mm - 1;
+  plate.socket_mm = socket_mm;
+  plate.floor_mm = floor_mm;
+  plate.wall_mm = fit.wall_mm;
+  plate.clearance_mm = fit.clearance_mm;
+  mold.pieces.push_back({"base", end_plate_solid(plate, low, false, fit.tolerance_mm),
+                         "holds core and shell on one axis"});
+  mold.pieces.push_back({"cap", end_plate_solid(plate, high, true, fit.tolerance_mm),
+                         "holds core and shell on one axis"});
+}
+
+void add_notes(const LatticeMoldPlan& plan, Mold& mold) {
+  const Undercut worst = worst_undercut(plan.undercuts);
+  const double radius = plan.shell.parting.drawn_radius_mm;
+  if (worst.strain > 0) {
+    mold.notes.push_back(fmt::format(
+        "Taking off shell-{} squeezes a strand of {:.2f} mm by {:.2f} mm ({:.0f} %), at {:.0f} "
+        "degrees and z = {:.1f} mm: the most anywhere.",
+        worst.piece + 1, worst.strand_width_mm, worst.undercut_mm, 100 * worst.strain,
+        std::remainder(worst.at.u / radius, 2 * pi) * 180 / pi, worst.at.z - plan.land_mm));
+  }
+  if (worst.strain > plan.options.allowed_strain) {
+    mold.notes.push_back(
+        fmt::format("That is more than the {:.0f} % that the cast material should bear: use more "
+                    "shell pieces, or demold while the casting is still soft.",
+                    100 * plan.options.allowed_strain));
+  }
+  mold.notes.push_back(fmt::format(
+      "Pour slowly through the {} lowest bore{} with a syringe until each of the {} vents "
+      "overflows, then plug them.",
+      plan.fill.sprues.size(), plan.fill.sprues.size() == 1 ? "" : "s", plan.fill.vents.size()));
+  if (plan.shell.straps.empty()) {
+    mold.notes.emplace_back("The shell is too short for strap grooves: hold it by base and cap.");
+  }
+  for (const StrapGroove& strap : plan.shell.straps) {
+    if (const int under = bores_under(strap, plan.shell.bores); under > 0) {
+      mold.notes.push_back(fmt::format(
+          "The strap between z = {:.1f} and {:.1f} mm crosses {} bores: leave these open.",
+          strap.from_mm - plan.land_mm, strap.to_mm - plan.land_mm, under));
+    }
+  }
+}
+
+}  // namespace
+
+LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptions& options) {
+  LatticeMoldPlan plan;
+  plan.options = options;
+  plan.segment = grown(segment, options.fit.growth);
+  const MoldFit& fit = options.fit;
+  const Segment& s = plan.segment;
+  refuse_impossible(s, fit);
+
+  Shell& shell = plan.shell;
+  plan.land_mm = std::max(fit.wall_mm, shortest_land_mm);
+  shell.start_z_mm = -plan.land_mm;
+  shell.cast = {s.liner_outer_radius_mm(), s.outer_radius_mm()};
+  shell.clearance_mm = fit.clearance_mm;
+  shell.outer_radius_mm = s.outer_radius_mm() + fit.wall_mm;
+  shell.strap_radius_mm = shell.outer_radius_mm - std::min(strap_depth_mm, fit.wall_mm / 3);
+
+  const double flatness = 0.5 * fit.tolerance_mm * s.lattice_mid_radius_mm() / s.outer_radius_mm();
+  const Pattern drawn = draw_lattice(s, flatness);
+  const Pattern strands = raised(drawn, plan.land_mm);
+  const double fillet = s.lattice->fillet_mm;
+  shell.lattice =
+      fillet > 0 ? raised(with_fillets(drawn, fillet, flatness), plan.land_mm) : strands;
+  shell.parting = choose_parting(
+      strands, {options.pieces, options.allowed_strain, fit.clearance_mm}, shell.cast);
+  refuse_narrow_pieces(shell.parting, fit.clearance_mm);
+  plan.undercuts = undercut_map(strands, shell.parting, shell.cast);
+
+  std::vector<double> pulls;
+  for (int k = 0; k < shell.parting.pieces; ++k) pulls.push_back(pull_rad(shell.parting, k));
+  plan.fill = plan_fill(shell.lattice, pulls, strands.circumference_mm / 3);
+  shell.bores = plan.fill.sprues;
+  shell.bores.insert(shell.bores.end(), plan.fill.vents.begin(), plan.fill.vents.end());
+  shell.straps = place_straps(strands.length_mm, plan.land_mm - 1, shell.bores);
+  return plan;
+}
+
+Mold lattice_mold(const LatticeMoldPlan& plan) {
+  Mold mold = shell_pieces_nudged(plan);
+  add_rings(plan, mold);
+  const CastLayer& cast = plan.shell.cast;
+  mold.cavity_mm3 = plan.fill.area_mm2 * (cast.ceiling_mm - cast.floor_mm);
+  add_notes(plan, mold);
+  return mold;
+}
+
+Mold lattice_mold(const Segment& segment, const LatticeMoldOptions& options) {
+  return lattice_mold(plan_lattice_mold(segment, options));
+}
+
+}  // namespace latticast

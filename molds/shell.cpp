@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "molds/shell.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "geometry/solid/layered_solid.h"
+
+namespace latticast {
+namespace {
+
+constexpr unsigned strand = 1;
+constexpr unsigned piece_here = 2;
+constexpr unsigned bore = 4;
+constexpr unsigned strap = 8;
+
+Layers shell_layers(unsigned sheets) {
+  if ((sheets & piece_here) == 0 || (sheets & bore) != 0) return 0;
+  const bool land = (sheets & strand) == 0;
+  const bool full = (sheets & strap) == 0;
+  return 2U | (land ? 1U : 0U) | (full ? 4U : 0U);
+}
+
+}  // namespace
+
+Strand drawn_piece(const Shell& shell, int piece) {
+  const Parting& parting = shell.parting;
+  const double back = 0.5 * shell.clearance_mm;
+  const double left = parting.drawn_radius_mm * seam_rad(parting, piece) + back;
+  const double right = parting.drawn_radius_mm * seam_rad(parting, piece + 1) - back;
+  Strand outline;
+  for (const PlanePoint& p : parting.seam) outline.outline.push_back({right + p.u, p.z});
+  for (auto p = parting.seam.rbegin(); p != parting.seam.rend(); ++p) {
+    outline.outline.push_back({left + p->u, p->z});
+  }
+  return outline;
+}
+
+Solid shell_solid(const Shell& shell, int piece, double tolerance_mm) {
+  const double drawn = shell.parting.drawn_radius_mm;
+  const double around = shell.lattice.circumference_mm;
+  const double length = shell.lattice.length_mm;
+  Pattern bores{around, length, {}};
+  for (const Bore& b : shell.bores) {
+    bores.strands.push_back(
+        drawn_disc(drawn, b.middle.u / drawn, b.middle.z, b.radius_mm, 0.5 * tolerance_mm));
+  }
+  Pattern straps{around, length, {}};
+  for (const StrapGroove& groove : shell.straps) {
+    straps.strands.push_back(drawn_band(drawn, groove.from_mm, groove.to_mm));
+  }
+  LayeredTube tube;
+  tube.drawn_radius_mm = drawn;
+  tube.length_mm = length;
+  tube.start_z_mm = shell.start_z_mm;
+  tube.sheets = {shell.lattice, Pattern{around, length, {drawn_piece(shell, piece)}},
+                 std::move(bores), std::move(straps)};
+  tube.filling = shell_layers;
+  tube.layers = {{shell.cast.floor_mm + 0.5 * shell.clearance_mm, shell.cast.ceiling_mm},
+                 {shell.cast.ceiling_mm, shell.strap_radius_mm},
+                 {shell.strap_radius_mm, shell.outer_radius_mm}};
+  tube.steepness = 1;
+  return layered_solid(tube, tolerance_mm);
+}
+
+}  // namespace latticast
