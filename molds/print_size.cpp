@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "molds/print_size.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace latticast {
+
+PrintSize print_size(const MoldPiece& piece) {
+  const double turn = piece.pulls_sideways ? piece.pull_rad : 0;
+  const auto posed = [&](const Point& p) {
+    return Point{p[0] * std::cos(turn) + p[1] * std::sin(turn),
+                 p[1] * std::cos(turn) - p[0] * std::sin(turn), p[2]};
+  };
+  Point low = posed(piece.solid.mesh.vertices.at(0));
+  Point high = low;
+  for (const Point& vertex : piece.solid.mesh.vertices) {
+    const Point p = posed(vertex);
+    for (std::size_t i = 0; i < 3; ++i) {
+      low[i] = std::min(low[i], p[i]);
+      high[i] = std::max(high[i], p[i]);
+    }
+  }
+  return {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
+}
+
+std::string bed_problem(const MoldPiece& piece, const std::array<double, 3>& bed_mm) {
+  const PrintSize size = print_size(piece);
+  const bool high = size.height_mm > bed_mm[2];
+  const auto lies = [&](double width, double depth) {
+    return width <= bed_mm[0] && depth <= bed_mm[1];
+  };
+  const bool wide = !lies(size.width_mm, size.depth_mm) && !lies(size.depth_mm, size.width_mm);
+  if (!high && !wide) return "";
+  std::string change;
+  if (wide) {
+    change = piece.pulls_sideways ? "use more pieces, a thinner wall or a larger printer"
+                                  : "use a thinner wall or a larger printer";
+  }
+  if (high) {
+    change += wide ? ", and divide the segment into shorter ones"
+                   : "divide the segment into shorter ones, or use a higher printer";
+  }
+  return fmt::format(
+      "{} is {:.4g} x {:.4g} x {:.4g} mm, standing on its end; the printer takes "
+      "{:.4g} x {:.4g} x {:.4g} mm: {}",
+      piece.name, size.width_mm, size.depth_mm, size.height_mm, bed_mm[0], bed_mm[1], bed_mm[2],
+      change);
+}
+
+}  // namespace latticast
