@@ -91,6 +91,7 @@ TEST(PourProcedure, FollowsProcessEndsAndLattice) {
   closed.ends = LinerEnds::closed;
   const std::string resin = procedure(segment, closed, Process::sla);
   EXPECT_TRUE(holds(resin, "post-cure"));
+  EXPECT_TRUE(holds(resin, "through the hole in the middle"));
   EXPECT_FALSE(holds(resin, "Push the core out"));
   EXPECT_TRUE(holds(resin, "and its core with it"));
   segment.lattice.emplace();

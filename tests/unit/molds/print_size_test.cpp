@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "molds/print_size.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include <gtest/gtest.h>
+#include "molds/liner_mold.h"
+#include "tests/unit/molds/sound_solid.h"
 
 namespace latticast {
 namespace {
@@ -36,6 +38,37 @@ TEST(PrintSize, IsThatOfThePieceTurnedToItsPull) {
   MoldPiece core = box(20, 40, 85, std::numbers::pi / 2);
   core.pulls_sideways = false;
   EXPECT_NEAR(print_size(core).width_mm, 40, 1e-9);
+}
+
+TEST(PrintingPose, StandsOnTheBedAndTurnsTheCapOver) {
+  for (const char* name : {"shell-1", "cap"}) {
+    MoldPiece piece = box(20, 40, 85, 0.7);
+    piece.name = name;
+    // A spike that only the lower end has.
+    piece.solid.mesh.vertices.push_back({5, 0, -4});
+    const TriangleMesh posed = printing_pose(piece);
+    double lowest = 1;
+    for (const Point& p : posed.vertices) lowest = std::min(lowest, p[2]);
+    EXPECT_EQ(lowest, 0);
+    EXPECT_NEAR(posed.vertices.back()[2], piece.name == "cap" ? 86 : 0, 1e-9);
+  }
+}
+
+TEST(PrintingPose, KeepsACapSound) {
+  Segment segment;
+  segment.length_mm = 85;
+  segment.liner.inner_radius_mm = 12;
+  segment.liner.thickness_mm = 4;
+  MoldPiece cap = liner_mold(segment, {}).pieces.back();
+  ASSERT_EQ(cap.name, "cap");
+  cap.solid.mesh = printing_pose(cap);
+  expect_sound(cap.solid, 3);
+  // The rim, 6 mm high, stands up now; the plate with its socket is 9 mm thick.
+  for (const Point& p : cap.solid.mesh.vertices) {
+    if (p[2] > 9.001) {
+      EXPECT_GT(std::hypot(p[0], p[1]), 21);
+    }
+  }
 }
 
 TEST(BedProblem, NamesWhatDoesNotFit) {
