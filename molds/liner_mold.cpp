@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -81,10 +80,11 @@ Strand shell_outline(const Frame& frame, int piece) {
   const double share = 2 * pi * frame.cavity.bore_radius_mm / frame.pieces;
   const double left = piece * share + 0.5 * frame.clearance_mm;
   const double right = (piece + 1) * share - 0.5 * frame.clearance_mm;
-  const std::vector<PlanePoint> line = seam(frame);
+  std::vector<PlanePoint> line = seam(frame);
   Strand strand;
   for (const PlanePoint& p : line) strand.outline.push_back({right + p.u, p.z});
-  for (auto p = line.rbegin(); p != line.rend(); ++p) strand.outline.push_back({left + p->u, p->z});
+  std::reverse(line.begin(), line.end());
+  for (const PlanePoint& p : line) strand.outline.push_back({left + p.u, p.z});
   return strand;
 }
 

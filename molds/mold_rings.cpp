@@ -35,7 +35,7 @@ Solid core_solid(const Core& core, double tolerance_mm) {
                         [](unsigned sheets) { return sheets & 1U; },
                         {{0, core.radius_mm}},
                         {core.chamfer_mm, length - core.chamfer_mm}};
-  Solid solid = layered_solid(rod, tolerance_mm);
+  Solid solid = layered_solid(rod, chamfer_tolerance_mm(tolerance_mm, core.radius_mm));
   for (const double end : {core.from_mm, core.to_mm}) {
     chamfer(solid.mesh, end, core.radius_mm, core.chamfer_mm);
   }

@@ -38,7 +38,8 @@ std::string numbered(const std::vector<std::string>& steps) {
 
 std::string bill(const Casting& casting) {
   std::string text =
-      "## Pieces\n\nSizes as they are printed, standing on their end, without support.\n\n"
+      "## Pieces\n\nSizes as they are printed, standing on their end, the cap on its outer face, "
+      "without support.\n\n"
       "| piece | what it is | width x depth x height, mm | volume, ml |\n|---|---|---|---|\n";
   const auto add = [&](const MoldPiece& piece) {
     const PrintSize size = print_size(piece);
@@ -76,8 +77,9 @@ std::string preparation(const Casting& casting) {
         "rubber with clear acrylic lacquer.");
   } else {
     steps.emplace_back(
-        "Printed layers are porous: smooth and seal the surfaces that touch rubber, and let the "
-        "sealer dry.");
+        "Printed layers leave ridges in the rubber, and cracks begin there: smooth the surfaces "
+        "that "
+        "touch rubber, above all the core. Seal their pores, and let the sealer dry.");
   }
   steps.emplace_back(
       "Polyurethane needs a release agent on every surface that it touches: brush it on, mist once "
@@ -117,13 +119,17 @@ std::string assembly(const Casting& casting) {
   return "\n## Assemble\n\n" + numbered(steps);
 }
 
-std::string pouring(const PourAmount& amount) {
+std::string pouring(const PourAmount& amount, bool through_the_middle) {
+  const std::string_view opening =
+      through_the_middle ? "the hole in the middle of the cap" : "one opening only";
   return "\n## Pour\n\n" +
          numbered({fmt::format("Mix {:.1f} ml as the rubber's data sheet says, and degas it under "
                                "vacuum if you can. Mind its pot life.",
                                amount.mixed_ml),
-                   "Stand the mold upright and level. Pour a thin stream through one opening only, "
-                   "so that air leaves by the others, until rubber rises in all of them.",
+                   fmt::format(
+                       "Stand the mold upright and level. Pour a thin stream through {}, so that "
+                       "air leaves by the others, until rubber rises in all of them.",
+                       opening),
                    "Tap the mold, wait until bubbles have risen, and top up.",
                    "Cure as the data sheet says, upright."});
 }
@@ -152,7 +158,8 @@ std::string demolding(const Casting& casting) {
   steps.emplace_back("Trim what stood in the openings and at the seams.");
   for (const MoldPiece& plug : casting.extras) {
     steps.push_back(
-        fmt::format("Glue {} into its end, up to the flange: it {}.", plug.name, plug.use));
+        fmt::format("Press {} into its end, up to the flange, with an adhesive that holds on both.",
+                    plug.name));
   }
   return "\n## Demold\n\n" + numbered(steps);
 }
@@ -185,7 +192,7 @@ std::string pour_procedure(const Casting& casting, const PourAllowance& allowanc
   const PourAmount amount = pour_amount(casting.mold.cavity_mm3, casting.material, allowance);
   std::string text = fmt::format("# {}\n\n", casting.title) + bill(casting) +
                      amounts(casting, allowance) + preparation(casting) + assembly(casting) +
-                     pouring(amount) + demolding(casting);
+                     pouring(amount, !has(casting.mold, "core")) + demolding(casting);
   if (!casting.mold.notes.empty()) {
     text += "\n## Notes\n\n";
     for (const std::string& note : casting.mold.notes) text += fmt::format("- {}\n", note);

@@ -8,21 +8,46 @@
 
 namespace latticast {
 
-PrintSize print_size(const MoldPiece& piece) {
-  const double turn = piece.pulls_sideways ? piece.pull_rad : 0;
-  const auto posed = [&](const Point& p) {
-    return Point{p[0] * std::cos(turn) + p[1] * std::sin(turn),
-                 p[1] * std::cos(turn) - p[0] * std::sin(turn), p[2]};
-  };
-  Point low = posed(piece.solid.mesh.vertices.at(0));
-  Point high = low;
-  for (const Point& vertex : piece.solid.mesh.vertices) {
-    const Point p = posed(vertex);
+namespace {
+
+struct Box {
+  Point low;
+  Point high;
+};
+
+Box box_of(const TriangleMesh& mesh) {
+  Box box{mesh.vertices.at(0), mesh.vertices.at(0)};
+  for (const Point& p : mesh.vertices) {
     for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], p[i]);
-      high[i] = std::max(high[i], p[i]);
+      box.low[i] = std::min(box.low[i], p[i]);
+      box.high[i] = std::max(box.high[i], p[i]);
     }
   }
+  return box;
+}
+
+}  // namespace
+
+TriangleMesh printing_pose(const MoldPiece& piece) {
+  TriangleMesh mesh = piece.solid.mesh;
+  const double turn = piece.pulls_sideways ? piece.pull_rad : 0;
+  const double over = piece.name == "cap" ? -1 : 1;
+  for (Point& p : mesh.vertices) {
+    const double x = p[0] * std::cos(turn) + p[1] * std::sin(turn);
+    const double y = p[1] * std::cos(turn) - p[0] * std::sin(turn);
+    p = {x, over * y, over * p[2]};
+  }
+  const auto [low, high] = box_of(mesh);
+  for (Point& p : mesh.vertices) {
+    p[0] -= 0.5 * (low[0] + high[0]);
+    p[1] -= 0.5 * (low[1] + high[1]);
+    p[2] -= low[2];
+  }
+  return mesh;
+}
+
+PrintSize print_size(const MoldPiece& piece) {
+  const auto [low, high] = box_of(printing_pose(piece));
   return {high[0] - low[0], high[1] - low[1], high[2] - low[2]};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether a piece fits the printer.
+// How a piece is printed, and whether it fits the printer.
 #pragma once
 
 #include <array>
@@ -9,8 +9,14 @@
 
 namespace latticast {
 
-/// A piece's bounding box in printing pose: standing on its end, as in the mold; pieces that are
-/// pulled sideways are turned so that their pull points along the width.
+/// The piece as it is printed, standing on z = 0 with the middle of its bounding box over the
+/// origin: on its end, as in the mold, but for a cap, which lies on its outer face; pieces that are
+/// pulled sideways are turned so that their pull points along x. Nothing then hangs over but the
+/// upper edges of strap grooves and of flanges' steps. Proper motions only: what is sound stays so,
+/// up to rounding. Precondition: the piece's mesh is not empty.
+TriangleMesh printing_pose(const MoldPiece& piece);
+
+/// Bounding box in printing pose.
 struct PrintSize {
   double width_mm = 0;
   double depth_mm = 0;

@@ -24,7 +24,10 @@ Solid stepped_solid(const SteppedRod& rod, double tolerance_mm) {
   tube.filling = [](unsigned sheets) { return Layers{sheets}; };
 
   const Step& first = rod.steps.front();
-  if (rod.chamfer_mm > 0) tube.cuts_mm = {first.height_mm - rod.chamfer_mm};
+  if (rod.chamfer_mm > 0) {
+    tube.cuts_mm = {first.height_mm - rod.chamfer_mm};
+    tolerance_mm = chamfer_tolerance_mm(tolerance_mm, first.radius_mm);
+  }
   Solid solid = layered_solid(tube, tolerance_mm);
   if (rod.chamfer_mm > 0) {
     const double r = first.radius_mm;

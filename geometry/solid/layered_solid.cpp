@@ -71,6 +71,10 @@ Strand drawn_disc(double drawn_radius_mm, double at_rad, double z_mm, double rad
   return strand;
 }
 
+double chamfer_tolerance_mm(double tolerance_mm, double radius_mm) {
+  return std::min(tolerance_mm, 0.8 * on_radius * radius_mm);
+}
+
 void chamfer(TriangleMesh& mesh, double z_mm, double radius_mm, double depth_mm) {
   const double factor = (radius_mm - depth_mm) / radius_mm;
   for (Point& p : mesh.vertices) {

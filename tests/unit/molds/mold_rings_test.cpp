@@ -29,6 +29,20 @@ TEST(Core, IsARodWithChamferedRims) {
   EXPECT_NEAR(highest, 95, 1e-9);
 }
 
+TEST(Core, KeepsItsChamfersWhereFacetsMayBeCoarse) {
+  for (const double radius : {0.1, 1.0, 1.4, 2.0, 5.0}) {
+    SCOPED_TRACE(radius);
+    const double chamfer = 0.25 * radius;
+    const Solid core = core_solid({radius, -5, 20, chamfer}, 0.01);
+    expect_sound(core, 0);
+    double widest = 0;
+    for (const Point& p : core.mesh.vertices) {
+      if (p[2] > 19.999) widest = std::max(widest, std::hypot(p[0], p[1]));
+    }
+    EXPECT_NEAR(widest, radius - chamfer, 0.005 * radius);
+  }
+}
+
 TEST(EndPlate, HoldsCoreAndShell) {
   EndPlate plate;
   plate.core_radius_mm = 12;
