@@ -22,6 +22,7 @@ constexpr double strap_width_mm = 6;
 constexpr double strap_depth_mm = 1.5;
 constexpr double strap_step_mm = 0.5;
 constexpr double least_piece_mm = 2;
+constexpr double finest_share_of_clearance = 0.2;
 constexpr int most_attempts = 8;
 constexpr double seam_nudge_mm = 0.037;
 
@@ -54,6 +55,9 @@ Pattern raised(Pattern pattern, double land) {
 
 void refuse_impossible(const Segment& segment, const MoldFit& fit) {
   if (!(fit.wall_mm > 0)) throw CannotMold("the mold needs a wall: give wall more than 0");
+  if (!(fit.clearance_mm > 0)) {
+    throw CannotMold("pieces without clearance cannot be put together: give clearance more than 0");
+  }
   if (!(fit.clearance_mm < fit.wall_mm)) {
     throw CannotMold(
         fmt::format("a clearance of {:.3g} mm leaves nothing of a wall of {:.3g} mm: use a thicker "
@@ -205,9 +209,11 @@ LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptio
   LatticeMoldPlan plan;
   plan.options = options;
   plan.segment = grown(segment, options.fit.growth);
-  const MoldFit& fit = options.fit;
+  MoldFit& fit = plan.options.fit;
   const Segment& s = plan.segment;
   refuse_impossible(s, fit);
+  // Half the clearance lies between core and shell, and either may be off by the tolerance.
+  fit.tolerance_mm = std::min(fit.tolerance_mm, finest_share_of_clearance * fit.clearance_mm);
 
   Shell& shell = plan.shell;
   plan.land_mm = std::max(fit.wall_mm, shortest_land_mm);
