@@ -261,23 +261,26 @@ std::vector<double> vent_places(const Plateau& plateau, const std::vector<double
 
 }  // namespace
 
-FillPlan plan_fill(const Pattern& strands, const std::vector<double>& around_rad,
-                   double vent_spacing_mm) {
+FillPlan plan_fill(const Pattern& strands, const FillWish& wish) {
   const Cavity cavity(strands);
   FillPlan plan;
   plan.area_mm2 = cavity.area();
+  const auto limited = [&](BoreKind kind) {
+    kind.largest_radius_mm = std::min(kind.largest_radius_mm, 0.5 * wish.largest_bore_mm);
+    return kind;
+  };
   for (const std::uint32_t top : cavity.extremes(vent.direction, false)) {
     const Plateau plateau = cavity.plateau_of(top);
     const std::vector<double> places =
-        vent_places(plateau, around_rad, cavity.circumference(), vent_spacing_mm);
+        vent_places(plateau, wish.around_rad, cavity.circumference(), wish.vent_spacing_mm);
     plan.high_points.push_back({0.5 * (plateau.from_u + plateau.to_u), plateau.z});
-    for (const double u : places) plan.vents.push_back(cavity.bore_at(plateau, u, vent));
+    for (const double u : places) plan.vents.push_back(cavity.bore_at(plateau, u, limited(vent)));
   }
   for (const std::uint32_t bottom : cavity.extremes(sprue.direction, true)) {
     const Plateau plateau = cavity.plateau_of(bottom);
     const std::vector<double> places =
-        vent_places(plateau, around_rad, cavity.circumference(), HUGE_VAL);
-    plan.sprues.push_back(cavity.bore_at(plateau, places.front(), sprue));
+        vent_places(plateau, wish.around_rad, cavity.circumference(), HUGE_VAL);
+    plan.sprues.push_back(cavity.bore_at(plateau, places.front(), limited(sprue)));
     ++plan.cavities;
   }
   return plan;

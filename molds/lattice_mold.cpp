@@ -23,6 +23,8 @@ constexpr double strap_depth_mm = 1.5;
 constexpr double strap_step_mm = 0.5;
 constexpr double least_piece_mm = 2;
 constexpr double finest_share_of_clearance = 0.2;
+constexpr double largest_bore_mm = 4;
+constexpr double bore_share_of_piece = 0.4;
 constexpr int most_attempts = 8;
 constexpr double seam_nudge_mm = 0.037;
 
@@ -128,6 +130,9 @@ Mold shell_pieces(const LatticeMoldPlan& plan) {
                            shell_solid(shell, k, plan.options.fit.tolerance_mm),
                            "grooved shell, strapped around the core", true,
                            std::remainder(pull_rad(shell.parting, k), 2 * pi)});
+    if (mold.pieces.back().solid.pieces != 1) {
+      throw GeometryError("a bore cuts a piece of the shell in two: ask for fewer shell pieces");
+    }
   }
   return mold;
 }
@@ -236,7 +241,9 @@ LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptio
 
   std::vector<double> pulls;
   for (int k = 0; k < shell.parting.pieces; ++k) pulls.push_back(pull_rad(shell.parting, k));
-  plan.fill = plan_fill(shell.lattice, pulls, strands.circumference_mm / 3);
+  const double breadth = strands.circumference_mm / shell.parting.pieces;
+  plan.fill = plan_fill(shell.lattice, {pulls, strands.circumference_mm / 3,
+                                        std::min(largest_bore_mm, bore_share_of_piece * breadth)});
   shell.bores = plan.fill.sprues;
   shell.bores.insert(shell.bores.end(), plan.fill.vents.begin(), plan.fill.vents.end());
   shell.straps = place_straps(strands.length_mm, plan.land_mm - 1, shell.bores);
