@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "geometry/mesh/weld.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/fillet.h"
+#include "geometry/solid/self_intersection.h"
 #include "molds/mold_rings.h"
 
 namespace latticast {
@@ -26,6 +28,7 @@ constexpr double finest_share_of_clearance = 0.2;
 constexpr double largest_bore_mm = 4;
 constexpr double bore_share_of_piece = 0.4;
 constexpr int most_attempts = 8;
+constexpr int most_refinements = 4;
 constexpr double seam_nudge_mm = 0.037;
 
 Segment grown(Segment segment, double growth) {
@@ -122,12 +125,39 @@ std::vector<StrapGroove> place_straps(double length, double rim, const std::vect
           place_strap(middle + 1, highest, highest - in - strap_width_mm, bores)};
 }
 
+// Only arcs can graze another outline.
+bool has_arcs(const Lattice& lattice) {
+  return lattice.fillet_mm > 0 ||
+         std::any_of(lattice.grids.begin(), lattice.grids.end(),
+                     [](const Grid& grid) { return grid.horseshoe.has_value(); });
+}
+
+bool intersects_itself(const TriangleMesh& mesh) {
+  const TriangleMesh welded = weld(mesh);
+  std::vector<char> degenerate;
+  degenerate.reserve(welded.triangles.size());
+  for (const Triangle& t : welded.triangles) degenerate.push_back(is_degenerate(welded, t) ? 1 : 0);
+  return !self_intersections(welded, degenerate).empty();
+}
+
+// Where an arc grazes another outline, the walls on either side may leave their surfaces by more
+// than the land between them is broad. Finer walls keep apart.
+Solid clear_shell_solid(const LatticeMoldPlan& plan, int piece) {
+  double tolerance = plan.options.fit.tolerance_mm;
+  for (int i = 0; i < most_refinements; ++i, tolerance /= 4) {
+    Solid solid = shell_solid(plan.shell, piece, tolerance);
+    if (!has_arcs(*plan.segment.lattice) || !intersects_itself(solid.mesh)) return solid;
+  }
+  throw GeometryError(
+      "arcs or fillets graze other strands so finely that the land between them cannot be made; "
+      "change a width or a radius slightly");
+}
+
 Mold shell_pieces(const LatticeMoldPlan& plan) {
   const Shell& shell = plan.shell;
   Mold mold;
   for (int k = 0; k < shell.parting.pieces; ++k) {
-    mold.pieces.push_back({fmt::format("shell-{}", k + 1),
-                           shell_solid(shell, k, plan.options.fit.tolerance_mm),
+    mold.pieces.push_back({fmt::format("shell-{}", k + 1), clear_shell_solid(plan, k),
                            "grooved shell, strapped around the core", true,
                            std::remainder(pull_rad(shell.parting, k), 2 * pi)});
     if (mold.pieces.back().solid.pieces != 1) {
