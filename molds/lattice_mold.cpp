@@ -270,6 +270,7 @@ LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptio
   plan.undercuts = undercut_map(strands, shell.parting, shell.cast);
 
   std::vector<double> pulls;
+  pulls.reserve(shell.parting.pieces);
   for (int k = 0; k < shell.parting.pieces; ++k) pulls.push_back(pull_rad(shell.parting, k));
   const double breadth = strands.circumference_mm / shell.parting.pieces;
   plan.fill = plan_fill(shell.lattice, {pulls, strands.circumference_mm / 3,
