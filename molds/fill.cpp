@@ -182,9 +182,16 @@ std::vector<PlanePoint> Cavity::places_around(const Plateau& plateau, double u,
     }
     const auto [left, right] = std::minmax({p[0].u, p[1].u, p[2].u});
     const auto [low, high] = std::minmax({p[0].z, p[1].z, p[2].z});
-    const auto first = [&](double from) { return std::ceil(std::max(from, -reach) / step) * step; };
-    for (double x = first(left); x <= std::min(right, reach); x += step) {
-      for (double z = first(low); z <= std::min(high, reach); z += step) {
+    const auto first = [&](double from) {
+      return static_cast<int>(std::ceil(std::max(from, -reach) / step));
+    };
+    const auto last = [&](double to) {
+      return static_cast<int>(std::floor(std::min(to, reach) / step));
+    };
+    for (int across = first(left); across <= last(right); ++across) {
+      for (int up = first(low); up <= last(high); ++up) {
+        const double x = across * step;
+        const double z = up * step;
         const auto left_of = [&](const PlanePoint& a, const PlanePoint& b) {
           return (b.u - a.u) * (z - a.z) - (b.z - a.z) * (x - a.u) >= 0;
         };
@@ -231,6 +238,7 @@ Bore Cavity::bore_at(const Plateau& plateau, double u, const BoreKind& kind) con
   const std::vector<OutlineEdge> edges = outline_around({u, plateau.z}, 2 * reach);
   if (places.empty()) return {{u, plateau.z}, 0.1 * kind.largest_radius_mm};
   std::vector<double> room;
+  room.reserve(places.size());
   for (const PlanePoint& place : places) room.push_back(clearance(place, edges));
   const double widest = *std::max_element(room.begin(), room.end());
   const double radius = std::min(kind.largest_radius_mm, kind.share * widest);
@@ -249,35 +257,40 @@ std::vector<double> vent_places(const Plateau& plateau, const std::vector<double
   std::vector<double> places;
   const double extent = plateau.to_u - plateau.from_u;
   if (extent > whole_turn * circumference) {
+    places.reserve(around_rad.size());
     for (const double angle : around_rad) {
       places.push_back(angle * circumference / (2 * std::numbers::pi));
     }
     return places;
   }
   const int count = std::max(1, static_cast<int>(std::ceil(extent / spacing)));
+  places.reserve(count);
   for (int i = 0; i < count; ++i) places.push_back(plateau.from_u + (i + 0.5) * extent / count);
   return places;
 }
 
 }  // namespace
 
-FillPlan plan_fill(const Pattern& strands, const std::vector<double>& around_rad,
-                   double vent_spacing_mm) {
+FillPlan plan_fill(const Pattern& strands, const FillWish& wish) {
   const Cavity cavity(strands);
   FillPlan plan;
   plan.area_mm2 = cavity.area();
+  const auto limited = [&](BoreKind kind) {
+    kind.largest_radius_mm = std::min(kind.largest_radius_mm, 0.5 * wish.largest_bore_mm);
+    return kind;
+  };
   for (const std::uint32_t top : cavity.extremes(vent.direction, false)) {
     const Plateau plateau = cavity.plateau_of(top);
     const std::vector<double> places =
-        vent_places(plateau, around_rad, cavity.circumference(), vent_spacing_mm);
+        vent_places(plateau, wish.around_rad, cavity.circumference(), wish.vent_spacing_mm);
     plan.high_points.push_back({0.5 * (plateau.from_u + plateau.to_u), plateau.z});
-    for (const double u : places) plan.vents.push_back(cavity.bore_at(plateau, u, vent));
+    for (const double u : places) plan.vents.push_back(cavity.bore_at(plateau, u, limited(vent)));
   }
   for (const std::uint32_t bottom : cavity.extremes(sprue.direction, true)) {
     const Plateau plateau = cavity.plateau_of(bottom);
     const std::vector<double> places =
-        vent_places(plateau, around_rad, cavity.circumference(), HUGE_VAL);
-    plan.sprues.push_back(cavity.bore_at(plateau, places.front(), sprue));
+        vent_places(plateau, wish.around_rad, cavity.circumference(), HUGE_VAL);
+    plan.sprues.push_back(cavity.bore_at(plateau, places.front(), limited(sprue)));
     ++plan.cavities;
   }
   return plan;

@@ -23,13 +23,17 @@ struct FillPlan {
   std::vector<Bore> sprues;             ///< one a cavity, at its lowest point
 };
 
+struct FillWish {
+  std::vector<double> around_rad;  ///< where a high point all around the tube gets its vents
+  double vent_spacing_mm = 30;     ///< along u, of vents at other wide ones
+  double largest_bore_mm = 4;      ///< diameter
+};
+
 /// A high point is a place, level within 0.05 mm, from which every way through the cavity leads
-/// down, and down by more than that before it leads higher: rising liquid shuts air in there. Wide
-/// ones get a vent for every `vent_spacing_mm` along u, those that run all the way around one at
-/// each of `around_rad`. Bores stay inside the strands where they fit: vents up to 1.5 mm and 0.6
-/// of the strand's width, sprues up to 4 mm and 0.9 of it. A level ceiling that goes on to a higher
-/// place is no high point. Throws GeometryError as unite does (region.h).
-FillPlan plan_fill(const Pattern& strands, const std::vector<double>& around_rad,
-                   double vent_spacing_mm);
+/// down, and down by more than that before it leads higher: rising liquid shuts air in there. Bores
+/// stay inside the strands where they fit: vents up to 1.5 mm and 0.6 of the strand's width, sprues
+/// up to 4 mm and 0.9 of it. A level ceiling that goes on to a higher place is no high point.
+/// Throws GeometryError as unite does (region.h).
+FillPlan plan_fill(const Pattern& strands, const FillWish& wish);
 
 }  // namespace latticast

@@ -7,8 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "geometry/mesh/weld.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/fillet.h"
+#include "geometry/solid/self_intersection.h"
 #include "molds/mold_rings.h"
 
 namespace latticast {
@@ -22,7 +24,11 @@ constexpr double strap_width_mm = 6;
 constexpr double strap_depth_mm = 1.5;
 constexpr double strap_step_mm = 0.5;
 constexpr double least_piece_mm = 2;
+constexpr double finest_share_of_clearance = 0.2;
+constexpr double largest_bore_mm = 4;
+constexpr double bore_share_of_piece = 0.4;
 constexpr int most_attempts = 8;
+constexpr int most_refinements = 4;
 constexpr double seam_nudge_mm = 0.037;
 
 Segment grown(Segment segment, double growth) {
@@ -54,6 +60,9 @@ Pattern raised(Pattern pattern, double land) {
 
 void refuse_impossible(const Segment& segment, const MoldFit& fit) {
   if (!(fit.wall_mm > 0)) throw CannotMold("the mold needs a wall: give wall more than 0");
+  if (!(fit.clearance_mm > 0)) {
+    throw CannotMold("pieces without clearance cannot be put together: give clearance more than 0");
+  }
   if (!(fit.clearance_mm < fit.wall_mm)) {
     throw CannotMold(
         fmt::format("a clearance of {:.3g} mm leaves nothing of a wall of {:.3g} mm: use a thicker "
@@ -116,14 +125,44 @@ std::vector<StrapGroove> place_straps(double length, double rim, const std::vect
           place_strap(middle + 1, highest, highest - in - strap_width_mm, bores)};
 }
 
+// Only arcs can graze another outline.
+bool has_arcs(const Lattice& lattice) {
+  return lattice.fillet_mm > 0 ||
+         std::any_of(lattice.grids.begin(), lattice.grids.end(),
+                     [](const Grid& grid) { return grid.horseshoe.has_value(); });
+}
+
+bool intersects_itself(const TriangleMesh& mesh) {
+  const TriangleMesh welded = weld(mesh);
+  std::vector<char> degenerate;
+  degenerate.reserve(welded.triangles.size());
+  for (const Triangle& t : welded.triangles) degenerate.push_back(is_degenerate(welded, t) ? 1 : 0);
+  return !self_intersections(welded, degenerate).empty();
+}
+
+// Where an arc grazes another outline, the walls on either side may leave their surfaces by more
+// than the land between them is broad. Finer walls keep apart.
+Solid clear_shell_solid(const LatticeMoldPlan& plan, int piece) {
+  double tolerance = plan.options.fit.tolerance_mm;
+  for (int i = 0; i < most_refinements; ++i, tolerance /= 4) {
+    Solid solid = shell_solid(plan.shell, piece, tolerance);
+    if (!has_arcs(*plan.segment.lattice) || !intersects_itself(solid.mesh)) return solid;
+  }
+  throw GeometryError(
+      "arcs or fillets graze other strands so finely that the land between them cannot be made; "
+      "change a width or a radius slightly");
+}
+
 Mold shell_pieces(const LatticeMoldPlan& plan) {
   const Shell& shell = plan.shell;
   Mold mold;
   for (int k = 0; k < shell.parting.pieces; ++k) {
-    mold.pieces.push_back({fmt::format("shell-{}", k + 1),
-                           shell_solid(shell, k, plan.options.fit.tolerance_mm),
+    mold.pieces.push_back({fmt::format("shell-{}", k + 1), clear_shell_solid(plan, k),
                            "grooved shell, strapped around the core", true,
                            std::remainder(pull_rad(shell.parting, k), 2 * pi)});
+    if (mold.pieces.back().solid.pieces != 1) {
+      throw GeometryError("a bore cuts a piece of the shell in two: ask for fewer shell pieces");
+    }
   }
   return mold;
 }
@@ -205,9 +244,11 @@ LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptio
   LatticeMoldPlan plan;
   plan.options = options;
   plan.segment = grown(segment, options.fit.growth);
-  const MoldFit& fit = options.fit;
+  MoldFit& fit = plan.options.fit;
   const Segment& s = plan.segment;
   refuse_impossible(s, fit);
+  // Half the clearance lies between core and shell, and either may be off by the tolerance.
+  fit.tolerance_mm = std::min(fit.tolerance_mm, finest_share_of_clearance * fit.clearance_mm);
 
   Shell& shell = plan.shell;
   plan.land_mm = std::max(fit.wall_mm, shortest_land_mm);
@@ -229,8 +270,11 @@ LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptio
   plan.undercuts = undercut_map(strands, shell.parting, shell.cast);
 
   std::vector<double> pulls;
+  pulls.reserve(shell.parting.pieces);
   for (int k = 0; k < shell.parting.pieces; ++k) pulls.push_back(pull_rad(shell.parting, k));
-  plan.fill = plan_fill(shell.lattice, pulls, strands.circumference_mm / 3);
+  const double breadth = strands.circumference_mm / shell.parting.pieces;
+  plan.fill = plan_fill(shell.lattice, {pulls, strands.circumference_mm / 3,
+                                        std::min(largest_bore_mm, bore_share_of_piece * breadth)});
   shell.bores = plan.fill.sprues;
   shell.bores.insert(shell.bores.end(), plan.fill.vents.begin(), plan.fill.vents.end());
   shell.straps = place_straps(strands.length_mm, plan.land_mm - 1, shell.bores);

@@ -28,10 +28,11 @@ struct LatticeMoldPlan {
   double land_mm = 0;               ///< of the shell before and behind the cavity
 };
 
-/// Draws the lattice, parts the shell and places sprues, vents and straps. Precondition: a
-/// validated segment with a lattice, 2 pieces or more. Throws CannotMold (a wall of nothing, a
-/// clearance as large as the wall or the lattice's layer, pieces without breadth), CannotDraw and
-/// GeometryError (pattern.h, arrangement.h).
+/// Draws the lattice, parts the shell and places sprues, vents and straps. A tolerance above a
+/// fifth of the clearance is refined to that. Precondition: a validated segment with a lattice, 2
+/// pieces or more. Throws CannotMold (no wall, no clearance, a clearance as large as the wall or
+/// the lattice's layer, pieces without breadth), CannotDraw and GeometryError (pattern.h,
+/// arrangement.h).
 LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptions& options);
 
 /// The pieces: shell-1 to shell-N, core, base, cap. The cavity lies at 0 <= z <= the segment's

@@ -115,10 +115,28 @@ double width_across(const std::vector<PlanePoint>& outline, std::size_t side, Pl
   return nearest;
 }
 
+// Of the strip with the outline's area and perimeter. An end that cuts a strand slantwise leaves a
+// corner without breadth, which gives way with the strand behind it.
+double mean_width(const std::vector<PlanePoint>& outline) {
+  double twice_area = 0;
+  double perimeter = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const PlanePoint& a = outline[i];
+    const PlanePoint& b = outline[(i + 1) % outline.size()];
+    twice_area += a.u * b.z - b.u * a.z;
+    perimeter += std::hypot(b.u - a.u, b.z - a.z);
+  }
+  const double half = 0.5 * perimeter;
+  return 0.5 * (half - std::sqrt(std::max(0.0, half * half - 2 * std::abs(twice_area))));
+}
+
 std::vector<Side> sides_of(const Pattern& strands) {
+  // A ring's outline is closed by a line that is not there on the tube.
+  const double whole_turn = strands.circumference_mm * (1 - 1e-9);
   std::vector<Side> sides;
   for (const Strand& strand : strands.strands) {
     const std::vector<PlanePoint>& outline = strand.outline;
+    const double mean = mean_width(outline);
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const PlanePoint& a = outline[i];
       const PlanePoint& b = outline[(i + 1) % outline.size()];
@@ -126,7 +144,7 @@ std::vector<Side> sides_of(const Pattern& strands) {
       if (length == 0 || a.z == b.z) continue;
       const PlanePoint outward{(b.z - a.z) / length, (a.u - b.u) / length};
       const double width = width_across(outline, i, outward);
-      if (std::isfinite(width)) sides.push_back({a, b, outward.u, width});
+      if (width < whole_turn) sides.push_back({a, b, outward.u, std::max(width, mean)});
     }
   }
   return sides;

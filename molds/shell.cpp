@@ -29,10 +29,12 @@ Strand drawn_piece(const Shell& shell, int piece) {
   const double left = parting.drawn_radius_mm * seam_rad(parting, piece) + back;
   const double right = parting.drawn_radius_mm * seam_rad(parting, piece + 1) - back;
   Strand outline;
-  for (const PlanePoint& p : parting.seam) outline.outline.push_back({right + p.u, p.z});
-  for (auto p = parting.seam.rbegin(); p != parting.seam.rend(); ++p) {
-    outline.outline.push_back({left + p->u, p->z});
+  std::vector<PlanePoint> left_side;
+  for (const PlanePoint& p : parting.seam) {
+    outline.outline.push_back({right + p.u, p.z});
+    left_side.push_back({left + p.u, p.z});
   }
+  outline.outline.insert(outline.outline.end(), left_side.rbegin(), left_side.rend());
   return outline;
 }
 

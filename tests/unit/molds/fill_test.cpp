@@ -16,7 +16,7 @@ const std::vector<double> three_around{0.3, 2.4, 4.5};
 
 FillPlan fill_of(const Segment& segment) {
   const Pattern strands = draw_lattice(segment, 0.005);
-  return plan_fill(strands, three_around, strands.circumference_mm / 3);
+  return plan_fill(strands, {three_around, strands.circumference_mm / 3});
 }
 
 // A picture of the cavity, in which air rises from pixel to pixel.
@@ -145,7 +145,7 @@ TEST(Fill, FindsAnArchBesideAMast) {
                      {{{{10, 0}, {14, 0}, {20, 26}, {26, 0}, {30, 0}, {20, 40}}},
                       {{{5, 2}, {60, 2}, {60, 6}, {5, 6}}},
                       {{{50, 0}, {54, 0}, {54, 48}, {50, 48}}}}};
-  const FillPlan plan = plan_fill(arch, three_around, 30);
+  const FillPlan plan = plan_fill(arch, {three_around, 30});
   ASSERT_EQ(plan.high_points.size(), 2U);
   EXPECT_EQ(plan.cavities, 1);
   std::vector<double> heights{plan.high_points[0].z, plan.high_points[1].z};

@@ -50,9 +50,6 @@ TEST(LatticeMold, IsSoundAndDisjointForEveryKindOfLattice) {
     const Mold mold = lattice_mold(plan);
     EXPECT_EQ(mold.pieces.size(), plan.shell.parting.pieces + 3U);
     expect_sound_mold(mold);
-    std::printf("%s: %d pieces, %zu vents, %zu sprues, strain %.3f\n", named.name.c_str(),
-                plan.shell.parting.pieces, plan.fill.vents.size(), plan.fill.sprues.size(),
-                worst_undercut(plan.undercuts).strain);
   }
 }
 
@@ -172,6 +169,8 @@ TEST(LatticeMold, RefusesWhatCannotBeMade) {
   EXPECT_THROW(lattice_mold(segment, options), CannotMold);
   options = {};
   options.fit.clearance_mm = 4.5;
+  EXPECT_THROW(lattice_mold(segment, options), CannotMold);
+  options.fit.clearance_mm = 0;
   EXPECT_THROW(lattice_mold(segment, options), CannotMold);
   options = {};
   options.pieces = 60;
