@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "molds/mold_rings.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "geometry/solid/layered_solid.h"
 
 namespace latticast {
 namespace {
+
+// chamfer() knows a rim by its radius, to 0.5 %; coarser chords would hide it.
+constexpr double coarsest_share_of_radius = 0.004;
 
 constexpr unsigned whole = 1;
 constexpr unsigned beside_socket = 2;
@@ -35,7 +39,8 @@ Solid core_solid(const Core& core, double tolerance_mm) {
                         [](unsigned sheets) { return sheets & 1U; },
                         {{0, core.radius_mm}},
                         {core.chamfer_mm, length - core.chamfer_mm}};
-  Solid solid = layered_solid(rod, tolerance_mm);
+  Solid solid =
+      layered_solid(rod, std::min(tolerance_mm, coarsest_share_of_radius * core.radius_mm));
   for (const double end : {core.from_mm, core.to_mm}) {
     chamfer(solid.mesh, end, core.radius_mm, core.chamfer_mm);
   }

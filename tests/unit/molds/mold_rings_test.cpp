@@ -29,6 +29,13 @@ TEST(Core, IsARodWithChamferedRims) {
   EXPECT_NEAR(highest, 95, 1e-9);
 }
 
+// A thin rod drawn so coarsely that its corners stand out by a percent is chamfered all the same.
+TEST(Core, IsChamferedWhenDrawnCoarsely) {
+  const Solid core = core_solid({5, 0, 20, 1}, 0.05);
+  expect_sound(core, 0);
+  EXPECT_NEAR(audit(weld(core.mesh)).volume_mm3, core.volume_mm3, 1e-3 * core.volume_mm3);
+}
+
 TEST(EndPlate, HoldsCoreAndShell) {
   EndPlate plate;
   plate.core_radius_mm = 12;
