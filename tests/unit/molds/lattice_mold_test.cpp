@@ -77,10 +77,12 @@ Strand gap_at(const Shell& shell, int seam) {
   const double middle = shell.parting.drawn_radius_mm * seam_rad(shell.parting, seam);
   const double half = 0.5 * shell.clearance_mm;
   Strand gap;
-  for (const PlanePoint& p : shell.parting.seam) gap.outline.push_back({middle + half + p.u, p.z});
-  for (auto p = shell.parting.seam.rbegin(); p != shell.parting.seam.rend(); ++p) {
-    gap.outline.push_back({middle - half + p->u, p->z});
+  std::vector<PlanePoint> left;
+  for (const PlanePoint& p : shell.parting.seam) {
+    gap.outline.push_back({middle + half + p.u, p.z});
+    left.push_back({middle - half + p.u, p.z});
   }
+  gap.outline.insert(gap.outline.end(), left.rbegin(), left.rend());
   return gap;
 }
 
@@ -90,6 +92,7 @@ TEST(LatticeMold, ShellAndGapsFillTheAnnulus) {
     const Mold mold = lattice_mold(plan);
     const Shell& shell = plan.shell;
     std::vector<Strand> cut;
+    cut.reserve(shell.parting.pieces);
     for (int k = 0; k < shell.parting.pieces; ++k) cut.push_back(gap_at(shell, k));
     const double drawn = shell.parting.drawn_radius_mm;
     for (const Bore& b : shell.bores) {
@@ -138,8 +141,9 @@ TEST(LatticeMold, GrowsAgainstShrinkage) {
                                  [](const MoldPiece& p) { return p.name == "core"; });
   ASSERT_NE(core, mold.pieces.end());
   double radius = 0;
-  for (const Point& p : core->solid.mesh.vertices)
+  for (const Point& p : core->solid.mesh.vertices) {
     radius = std::max(radius, std::hypot(p[0], p[1]));
+  }
   EXPECT_NEAR(radius, 16 * 1.02, 0.011);
 }
 

@@ -39,8 +39,8 @@ inline Segment bending_segment() {
 /// Tilted horseshoe columns with graded widths: examples/superimposed.
 inline Segment superimposed_segment() {
   Segment segment = ringed_segment();
-  std::vector<double> widths;
-  for (int i = 0; i < 8; ++i) widths.push_back(3 - std::cos(i * std::acos(-1.0) / 4));
+  std::vector<double> widths(8);
+  for (int i = 0; i < 8; ++i) widths[i] = 3 - std::cos(i * std::acos(-1.0) / 4);
   segment.lattice->grids = {{60, widths, Horseshoe{3.067, 180, true}}};
   return segment;
 }
@@ -62,8 +62,9 @@ inline TriangleMesh assembled(const Mold& mold) {
     if (piece.name == "core") lift = -0.5e-3;
     if (piece.name == "cap") lift = 1e-3;
     const auto first = static_cast<std::uint32_t>(all.vertices.size());
-    for (const Point& p : piece.solid.mesh.vertices)
+    for (const Point& p : piece.solid.mesh.vertices) {
       all.vertices.push_back({p[0], p[1], p[2] + lift});
+    }
     for (const Triangle& t : piece.solid.mesh.triangles) {
       all.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
     }

@@ -81,7 +81,9 @@ bool covers(const Pattern& strands, double u, double z) {
         std::minmax_element(strand.outline.begin(), strand.outline.end(),
                             [](const auto& a, const auto& b) { return a.u < b.u; });
     const double period = strands.circumference_mm;
-    for (double x = u + std::ceil((left->u - u) / period) * period; x < right->u; x += period) {
+    const auto last = static_cast<int>(std::floor((right->u - u) / period));
+    for (auto turn = static_cast<int>(std::ceil((left->u - u) / period)); turn <= last; ++turn) {
+      const double x = u + turn * period;
       bool inside = false;
       for (std::size_t i = 0; i < strand.outline.size(); ++i) {
         const PlanePoint& a = strand.outline[i];
@@ -120,7 +122,8 @@ std::vector<double> swept_overlap(const Pattern& strands, const Parting& parting
     for (const double radius : {16.0, 17.0}) {
       double covered = 0;  // cells of strand that the point has passed and still is in
       double last = pull_rad(parting, piece) + phi;
-      for (double t = 0.1; t < 12; t += 0.1) {
+      for (int step = 1; step < 120; ++step) {
+        const double t = 0.1 * step;
         const double across = radius * std::sin(phi);
         const double out = radius * std::cos(phi) + t;
         if (std::hypot(across, out) > 18) break;
@@ -147,7 +150,8 @@ void expect_sweep_within_map(const Segment& segment, int pieces) {
     stated[u.piece] = std::max(stated[u.piece], u.around_mm);
   }
   std::vector<double> swept(pieces, 0.0);
-  for (double z = 3.37; z < segment.length_mm; z += 9.21) {
+  for (int i = 0; i < 9; ++i) {
+    const double z = (i + 0.4) * segment.length_mm / 9;
     const std::vector<double> here = swept_overlap(strands, parting, z);
     for (int k = 0; k < pieces; ++k) swept[k] = std::max(swept[k], here[k]);
   }
@@ -193,7 +197,8 @@ TEST(ChooseParting, KeepsSeamsOffColumnsThatItCanAvoid) {
     wish.pieces = pieces;
     const Parting parting = choose_parting(strands, wish, layer);
     for (int k = 0; k < pieces; ++k) {
-      for (double z = 0.5; z < 85; z += 1) {
+      for (int i = 0; i < 85; ++i) {
+        const double z = i + 0.5;
         const double u = 17 * seam_rad(parting, k) + seam_offset_mm(parting, z);
         EXPECT_FALSE(covers(strands, u, z)) << pieces << " pieces, z = " << z;
       }
