@@ -105,6 +105,37 @@ TEST(BadDesign, MakingALatticeThatIsNotThere) {
   EXPECT_EQ(issues[1].key, "make.lattice_mold");
 }
 
+TEST(BadDesign, DefaultWallOfAMoldIsBlamedOnTheMold) {
+  const std::string lattice = R"([segment.lattice]
+thickness = 5
+material = "hei-cast-8400"
+[segment.lattice.rings]
+count = 2
+width = 2
+)";
+  const Issue deep =
+      only_issue_of(std::string(smallest_design) + lattice + "[make]\nlattice_mold = {}\n");
+  EXPECT_EQ(deep.key, "make.lattice_mold");
+  EXPECT_NE(deep.rule.find("5 mm deep"), std::string::npos) << deep.rule;
+  const Issue loose = only_issue_of(std::string(smallest_design) +
+                                    "[make]\nliner_mold = {}\n[printer]\nclearance = 6\n");
+  EXPECT_EQ(loose.key, "make.liner_mold");
+  EXPECT_NE(loose.rule.find("clearance, 6 mm"), std::string::npos) << loose.rule;
+}
+
+TEST(BadDesign, ReplicasHaveNoGroovesInTheWall) {
+  const std::string replica = R"([segment.lattice]
+thickness = 5
+material = "hei-cast-8400"
+[segment.lattice.rings]
+count = 2
+width = 2
+[make]
+lattice_mold = { method = "replica" }
+)";
+  EXPECT_TRUE(issues_of(std::string(smallest_design) + replica).empty());
+}
+
 TEST(BadDesign, RodsRefuseARubberLiner) {
   const Issue issue = only_issue_of(std::string(smallest_design) + "[model]\ncolumns = \"rods\"\n");
   EXPECT_EQ(issue.key, "segment[0].liner.material");
