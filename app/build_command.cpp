@@ -20,6 +20,7 @@
 #include "app/mold_picture.h"
 #include "app/mold_set.h"
 #include "export/atomic_file.h"
+#include "molds/print_size.h"
 #endif
 #if LATTICAST_HAS_PREDICT
 #include "app/preview.h"
@@ -90,7 +91,9 @@ class Builder {
     const std::string stem = part_name(planned.segment, planned.kind);
     for (const MoldPiece& piece : planned.mold.pieces) {
       begin(stem + "-" + piece.name);
-      deliver(stem + "-" + piece.name, piece.solid);
+      Solid printed = piece.solid;
+      printed.mesh = printing_pose(piece);
+      deliver(stem + "-" + piece.name, printed);
     }
     write_png(staging_.add(stem + ".png"), exploded_picture(planned.mold));
     write_file_atomically(staging_.add(stem + ".md"), planned.procedure);

@@ -36,12 +36,10 @@ LinerMoldOptions liner_options(const Design& design, const Liner& liner) {
 PlannedMold planned_lattice_mold(const Design& design, std::size_t s) {
   const Segment& segment = design.segments[s];
   Mold mold = lattice_mold(segment, lattice_options(design, *segment.lattice));
-  std::string procedure = pour_procedure({fmt::format("Lattice of segment {}", s + 1),
-                                          mold,
-                                          segment.lattice->material,
-                                          design.printer.process,
-                                          false,
-                                          {}});
+  Casting casting{fmt::format("Lattice of segment {}", s + 1), mold, segment.lattice->material,
+                  design.printer.process};
+  casting.through_bores = true;
+  std::string procedure = pour_procedure(casting);
   return {s, "lattice-mold", std::move(mold), std::move(procedure)};
 }
 
@@ -52,11 +50,12 @@ PlannedMold planned_liner_mold(const Design& design, std::size_t s) {
   PlugOptions plug_options;
   plug_options.tolerance_mm = design.output.tolerance_mm;
   plug_options.closed_end = options.ends == LinerEnds::closed;
-  std::vector<MoldPiece> plugs = end_plugs(segment, plug_options);
-  std::string procedure =
-      pour_procedure({fmt::format("Liner of segment {}", s + 1), mold, segment.liner.material,
-                      design.printer.process, options.keyed, plugs});
-  for (MoldPiece& plug : plugs) mold.pieces.push_back(std::move(plug));
+  Casting casting{fmt::format("Liner of segment {}", s + 1), mold, segment.liner.material,
+                  design.printer.process};
+  casting.into_lattice = options.keyed;
+  casting.extras = end_plugs(segment, plug_options);
+  std::string procedure = pour_procedure(casting);
+  for (MoldPiece& plug : casting.extras) mold.pieces.push_back(std::move(plug));
   return {s, "liner-mold", std::move(mold), std::move(procedure)};
 }
 

@@ -119,19 +119,31 @@ std::string assembly(const Casting& casting) {
   return "\n## Assemble\n\n" + numbered(steps);
 }
 
-std::string pouring(const PourAmount& amount, bool through_the_middle) {
-  const std::string_view opening =
-      through_the_middle ? "the hole in the middle of the cap" : "one opening only";
-  return "\n## Pour\n\n" +
-         numbered({fmt::format("Mix {:.1f} ml as the rubber's data sheet says, and degas it under "
-                               "vacuum if you can. Mind its pot life.",
-                               amount.mixed_ml),
-                   fmt::format(
-                       "Stand the mold upright and level. Pour a thin stream through {}, so that "
-                       "air leaves by the others, until rubber rises in all of them.",
-                       opening),
-                   "Tap the mold, wait until bubbles have risen, and top up.",
-                   "Cure as the data sheet says, upright."});
+std::string filling_step(const Casting& casting) {
+  if (casting.through_bores) {
+    return "Stand the mold upright and level. Press the rubber in through the lowest bore with a "
+           "syringe, slowly, so that air leaves above, and plug each vent when rubber stands in "
+           "it. "
+           "Then plug the lowest bore.";
+  }
+  const bool has_core = has(casting.mold, "core");
+  return fmt::format(
+      "Stand the mold upright and level. Pour a thin stream through {}, so that air leaves by the "
+      "others, until rubber rises in all of them.",
+      has_core ? "one opening only" : "the hole in the middle of the cap");
+}
+
+std::string pouring(const Casting& casting, const PourAmount& amount) {
+  std::vector<std::string> steps = {
+      fmt::format("Mix {:.1f} ml as the rubber's data sheet says, and degas it under vacuum if you "
+                  "can. Mind its pot life.",
+                  amount.mixed_ml),
+      filling_step(casting)};
+  if (!casting.through_bores) {
+    steps.emplace_back("Tap the mold, wait until bubbles have risen, and top up.");
+  }
+  steps.emplace_back("Cure as the data sheet says, upright.");
+  return "\n## Pour\n\n" + numbered(steps);
 }
 
 std::string demolding(const Casting& casting) {
@@ -192,7 +204,7 @@ std::string pour_procedure(const Casting& casting, const PourAllowance& allowanc
   const PourAmount amount = pour_amount(casting.mold.cavity_mm3, casting.material, allowance);
   std::string text = fmt::format("# {}\n\n", casting.title) + bill(casting) +
                      amounts(casting, allowance) + preparation(casting) + assembly(casting) +
-                     pouring(amount, !has(casting.mold, "core")) + demolding(casting);
+                     pouring(casting, amount) + demolding(casting);
   if (!casting.mold.notes.empty()) {
     text += "\n## Notes\n\n";
     for (const std::string& note : casting.mold.notes) text += fmt::format("- {}\n", note);

@@ -42,7 +42,8 @@ struct Casting {
   const Material& material;
   Process process = Process::fdm;
   bool into_lattice = false;      ///< the finished lattice is put into the mold (keyed)
-  std::vector<MoldPiece> extras;  ///< printed with the mold: plugs
+  bool through_bores = false;     ///< filled from the shell's lowest bore, not through the cap
+  std::vector<MoldPiece> extras{};  ///< printed with the mold: plugs
 };
 
 /// Bill of pieces, amounts, preparation, assembly, pouring and demolding as a Markdown page.
