@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "molds/strand_map.h"
+#include "tests/unit/geometry/solid/random_patterns.h"
 #include "tests/unit/molds/lattice_molds.h"
 
 namespace latticast {
@@ -107,6 +108,16 @@ TEST(Fill, NoHighPointIsWithoutAVent) {
   for (const Segment& segment : {twisting_segment(), bending_segment(), superimposed_segment(),
                                  column_segment(), strips, ringed_segment(), slanted}) {
     expect_vents_at_all_tops(segment);
+  }
+}
+
+TEST(Fill, NoHighPointOfARandomLatticeIsWithoutAVent) {
+  constexpr std::uint64_t seed = 314;
+  std::printf("seeds from %llu\n", static_cast<unsigned long long>(seed));
+  for (std::uint64_t number = seed; number < seed + 40; ++number) {
+    SCOPED_TRACE("seed " + std::to_string(number));
+    RandomNumbers random(number);
+    expect_vents_at_all_tops(random_segment(random));
   }
 }
 

@@ -164,6 +164,30 @@ TEST(LatticeMold, PiecesKeepTheirRadii) {
   }
 }
 
+TEST(LatticeMold, BoresAndStrapsKeepOffTheRims) {
+  for (const NamedSegment& named : segments()) {
+    SCOPED_TRACE(named.name);
+    const LatticeMoldPlan plan = plan_lattice_mold(named.segment, {});
+    const double length = plan.shell.lattice.length_mm;
+    const double rim = plan.land_mm - 1;
+    for (const Bore& bore : plan.shell.bores) {
+      EXPECT_GT(bore.middle.z - bore.radius_mm, rim);
+      EXPECT_LT(bore.middle.z + bore.radius_mm, length - rim);
+    }
+    ASSERT_EQ(plan.shell.straps.size(), 2U);
+    EXPECT_GT(plan.shell.straps[0].from_mm, rim);
+    EXPECT_LT(plan.shell.straps[0].to_mm, plan.shell.straps[1].from_mm);
+    EXPECT_LT(plan.shell.straps[1].to_mm, length - rim);
+  }
+  const LatticeMoldPlan twisting = plan_lattice_mold(twisting_segment(), {});
+  for (const StrapGroove& strap : twisting.shell.straps) {
+    for (const Bore& bore : twisting.shell.bores) {
+      EXPECT_TRUE(bore.middle.z + bore.radius_mm < strap.from_mm ||
+                  bore.middle.z - bore.radius_mm > strap.to_mm);
+    }
+  }
+}
+
 TEST(LatticeMold, RefusesWhatCannotBeMade) {
   const Segment segment = twisting_segment();
   LatticeMoldOptions options;
