@@ -41,8 +41,8 @@ struct Casting {
   const Mold& mold;
   const Material& material;
   Process process = Process::fdm;
-  bool into_lattice = false;      ///< the finished lattice is put into the mold (keyed)
-  bool through_bores = false;     ///< filled from the shell's lowest bore, not through the cap
+  bool into_lattice = false;        ///< the finished lattice is put into the mold (keyed)
+  bool through_bores = false;       ///< filled from the shell's lowest bore, not through the cap
   std::vector<MoldPiece> extras{};  ///< printed with the mold: plugs
 };
 
