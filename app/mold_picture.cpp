@@ -36,6 +36,10 @@ Image exploded_picture(const Mold& mold) {
   const Extent whole = extent(mold);
   const double apart = 0.7 * whole.radius_mm;
   const double lift = 0.25 * (whole.high_mm - whole.low_mm);
+  // A pattern stands where the core will stand afterwards.
+  const auto inside = std::find_if(
+      mold.pieces.begin(), mold.pieces.end(),
+      [](const MoldPiece& piece) { return piece.name == "pattern" || piece.name == "core"; });
   std::vector<PictureObject> objects;
   int shells = 0;
   int others = 0;
@@ -44,7 +48,7 @@ Image exploded_picture(const Mold& mold) {
     if (piece.pulls_sideways) {
       object.colour = shell_colours[shells++ % 2];
       object.offset_mm = {apart * std::cos(piece.pull_rad), apart * std::sin(piece.pull_rad), 0};
-    } else if (piece.name.starts_with("core")) {
+    } else if (inside != mold.pieces.end() && &piece == &*inside) {
       object.colour = core_colour;
     } else if (piece.name.starts_with("base") || piece.name.starts_with("cap")) {
       object.colour = plate_colour;

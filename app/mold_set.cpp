@@ -9,6 +9,7 @@
 #include "molds/plugs.h"
 #include "molds/pour_plan.h"
 #include "molds/print_size.h"
+#include "molds/replica_mold.h"
 
 namespace latticast {
 namespace {
@@ -33,7 +34,23 @@ LinerMoldOptions liner_options(const Design& design, const Liner& liner) {
   return {fit_of(design, liner.material, asked.wall_mm), asked.ends, asked.keyed, asked.pieces};
 }
 
+// What the flexible mold is cast of is the workshop's choice.
+PlannedMold planned_replica_mold(const Design& design, std::size_t s) {
+  const Segment& segment = design.segments[s];
+  Mold mold = replica_mold(segment, lattice_options(design, *segment.lattice));
+  Material rubber;
+  rubber.name = "mold rubber";
+  Casting casting{fmt::format("Flexible mold for the lattice of segment {}", s + 1), mold, rubber,
+                  design.printer.process};
+  casting.inside = "pattern";
+  std::string procedure = pour_procedure(casting);
+  return {s, "lattice-mold", std::move(mold), std::move(procedure)};
+}
+
 PlannedMold planned_lattice_mold(const Design& design, std::size_t s) {
+  if (design.make.lattice_mold->method == MoldMethod::replica) {
+    return planned_replica_mold(design, s);
+  }
   const Segment& segment = design.segments[s];
   Mold mold = lattice_mold(segment, lattice_options(design, *segment.lattice));
   Casting casting{fmt::format("Lattice of segment {}", s + 1), mold, segment.lattice->material,

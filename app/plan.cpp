@@ -181,11 +181,6 @@ std::vector<std::string> unavailable(const Plan& plan, const Design& design) {
         "[make] asks for the report, which this version cannot make yet: take it out of [make], or "
         "name the other parts with --only");
   }
-  if (plan.runs(Stage::lattice_mold) && design.make.lattice_mold->method == MoldMethod::replica) {
-    missing.emplace_back(
-        "[make] lattice_mold: method = \"replica\" cannot be made yet: this version makes "
-        "\"direct\" molds; leave method out");
-  }
 #if !LATTICAST_HAS_MOLDS
   if (plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold)) {
     missing.emplace_back(

@@ -98,7 +98,7 @@ std::string assembly(const Casting& casting) {
   const Mold& mold = casting.mold;
   std::vector<std::string> steps;
   if (has(mold, "core")) {
-    steps.emplace_back("Set the core into the socket of the base.");
+    steps.push_back(fmt::format("Set the {} into the socket of the base.", casting.inside));
   } else {
     steps.emplace_back("Set the base down, its core upwards.");
   }
@@ -112,7 +112,8 @@ std::string assembly(const Casting& casting) {
       "Seal the seams and the joint at the base from outside with tape or plasticine without "
       "sulfur.");
   if (has(mold, "core")) {
-    steps.emplace_back("Press on the cap: its socket takes the core, its rim the shell.");
+    steps.push_back(fmt::format("Press on the cap: its socket takes the {}, its rim the shell.",
+                                casting.inside));
   } else {
     steps.emplace_back("Press on the cap: its rim takes the shell.");
   }

@@ -42,6 +42,7 @@ struct Casting {
   const Material& material;
   Process process = Process::fdm;
   bool into_lattice = false;        ///< the finished lattice is put into the mold (keyed)
+  std::string inside = "core";      ///< the piece that stands in the base's socket
   bool through_bores = false;       ///< filled from the shell's lowest bore, not through the cap
   std::vector<MoldPiece> extras{};  ///< printed with the mold: plugs
 };

@@ -50,6 +50,7 @@ Region unite(Pattern pattern, const PlaneGrid& grid, std::span<const std::int32_
              double closing_mm);
 
 /// Which layers are material at a place, from the sheets that cover it there (bit s for sheet s).
+/// None where no sheet does: what lies beyond the ends is such a place.
 using Filling = std::function<Layers(unsigned sheets)>;
 
 /// The region that `filling` makes of the sheets, whose strands are united on each. Throws

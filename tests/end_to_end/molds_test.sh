@@ -53,6 +53,16 @@ expect 0 "$program" build "$twisting" --only molds -o again
 expect 0 diff -r <(cd molds && ls twisting-*) <(cd again && ls)
 for file in again/*; do holds cmp -s "$file" "molds/${file#again/}"; done
 
+# Around a printed pattern: every piece sound, and the page says what stands where.
+sed 's/^lattice_mold.*/lattice_mold = { method = "replica" }/; /^liner_mold/d' "$twisting" >replica.toml
+expect 0 "$program" build replica.toml -o replica
+says "twisting-lattice-mold-pattern.stl: closed, 1 piece, genus 0"
+says "twisting-lattice-mold-cap.stl: closed, 1 piece, genus 3"
+holds grep -q "Set the pattern into the socket" replica/twisting-lattice-mold.md
+holds grep -q "The lattice takes 7.2 ml of hei-cast-8400" replica/twisting-lattice-mold.md
+expect 0 prusa-slicer --export-gcode --support-material -o "$work/sliced.gcode" replica/twisting-lattice-mold-pattern.stl
+holds test -z "$(grep -iE 'repair|error|manifold|open edge' "$work/out" "$work/err")"
+
 # Bad wishes, each with its own message; nothing is written.
 bad_mold() { # MOLD MESSAGE
   sed "/^liner_mold/d; s/^lattice_mold.*/$1/" "$twisting" >bad.toml
@@ -64,7 +74,6 @@ bad_mold 'lattice_mold = { pieces = 1 }' "must be a whole number from 2 to 100"
 bad_mold 'lattice_mold = { wall = 0 }' "must be a number from 0.001"
 bad_mold 'lattice_mold = { wall = 0.2 }' "the printer's clearance, 0.3 mm, must be less than the mold's wall"
 bad_mold 'lattice_mold = { wall = 1.5 }' "grooves for strands 2 mm deep need more wall behind them"
-bad_mold 'lattice_mold = { method = "replica" }' "cannot be made yet"
 bad_mold 'liner_mold = { ends = "flanged", keyed = true }' "would hang between the flanges"
 sed 's/process = "fdm"/process = "fdm"\nbed = [50, 50, 50]/' "$twisting" >bed.toml
 expect 2 "$program" build bed.toml -o bad
