@@ -125,13 +125,6 @@ std::vector<StrapGroove> place_straps(double length, double rim, const std::vect
           place_strap(middle + 1, highest, highest - in - strap_width_mm, bores)};
 }
 
-// Only arcs can graze another outline.
-bool has_arcs(const Lattice& lattice) {
-  return lattice.fillet_mm > 0 ||
-         std::any_of(lattice.grids.begin(), lattice.grids.end(),
-                     [](const Grid& grid) { return grid.horseshoe.has_value(); });
-}
-
 bool intersects_itself(const TriangleMesh& mesh) {
   const TriangleMesh welded = weld(mesh);
   std::vector<char> degenerate;
@@ -140,17 +133,17 @@ bool intersects_itself(const TriangleMesh& mesh) {
   return !self_intersections(welded, degenerate).empty();
 }
 
-// Where an arc grazes another outline, the walls on either side may leave their surfaces by more
-// than the land between them is broad. Finer walls keep apart.
+// Where an arc or a bore grazes another outline, the walls on either side may leave their surfaces
+// by more than the land between them is broad. Finer walls keep apart.
 Solid clear_shell_solid(const LatticeMoldPlan& plan, int piece) {
   double tolerance = plan.options.fit.tolerance_mm;
   for (int i = 0; i < most_refinements; ++i, tolerance /= 4) {
     Solid solid = shell_solid(plan.shell, piece, tolerance);
-    if (!has_arcs(*plan.segment.lattice) || !intersects_itself(solid.mesh)) return solid;
+    if (!intersects_itself(solid.mesh)) return solid;
   }
   throw GeometryError(
-      "arcs or fillets graze other strands so finely that the land between them cannot be made; "
-      "change a width or a radius slightly");
+      "arcs, fillets or bores graze strands so finely that the land between them cannot be made; "
+      "change a width, a radius or the number of shell pieces slightly");
 }
 
 Mold shell_pieces(const LatticeMoldPlan& plan) {

@@ -130,10 +130,26 @@ double mean_width(const std::vector<PlanePoint>& outline) {
   return 0.5 * (half - std::sqrt(std::max(0.0, half * half - 2 * std::abs(twice_area))));
 }
 
-std::vector<Side> sides_of(const Pattern& strands) {
+// A ring, which has no sides and hides those of the strands that cross it.
+struct Ring {
+  double from_z = 0;
+  double to_z = 0;
+};
+
+struct GrooveWalls {
+  std::vector<Side> sides;
+  std::vector<Ring> rings;
+
+  bool hidden(double z) const {
+    return std::any_of(rings.begin(), rings.end(),
+                       [&](const Ring& ring) { return ring.from_z <= z && z <= ring.to_z; });
+  }
+};
+
+GrooveWalls groove_walls(const Pattern& strands) {
   // A ring's outline is closed by a line that is not there on the tube.
   const double whole_turn = strands.circumference_mm * (1 - 1e-9);
-  std::vector<Side> sides;
+  GrooveWalls walls;
   for (const Strand& strand : strands.strands) {
     const std::vector<PlanePoint>& outline = strand.outline;
     const double mean = mean_width(outline);
@@ -144,10 +160,14 @@ std::vector<Side> sides_of(const Pattern& strands) {
       if (length == 0 || a.z == b.z) continue;
       const PlanePoint outward{(b.z - a.z) / length, (a.u - b.u) / length};
       const double width = width_across(outline, i, outward);
-      if (width < whole_turn) sides.push_back({a, b, outward.u, std::max(width, mean)});
+      if (width < whole_turn) {
+        walls.sides.push_back({a, b, outward.u, std::max(width, mean)});
+      } else if (a.u == b.u && std::isfinite(width)) {
+        walls.rings.push_back({std::min(a.z, b.z), std::max(a.z, b.z)});
+      }
     }
   }
-  return sides;
+  return walls;
 }
 
 // What catches at one point of a side; strain 0 when the land lies on the other side.
@@ -165,8 +185,8 @@ Undercut undercut_at(const Side& side, PlanePoint at, const Parting& parting,
   return found;
 }
 
-void add_worst_of_side(const Side& side, const Parting& parting, const CastLayer& layer,
-                       double spacing, std::vector<Undercut>& map) {
+void add_worst_of_side(const GrooveWalls& walls, const Side& side, const Parting& parting,
+                       const CastLayer& layer, double spacing, std::vector<Undercut>& map) {
   const double length = std::hypot(side.to.u - side.from.u, side.to.z - side.from.z);
   const int steps = std::max(1, static_cast<int>(std::ceil(length / spacing)));
   Undercut worst;
@@ -175,6 +195,7 @@ void add_worst_of_side(const Side& side, const Parting& parting, const CastLayer
     const double part = static_cast<double>(i) / steps;
     const PlanePoint at{std::lerp(side.from.u, side.to.u, part),
                         std::lerp(side.from.z, side.to.z, part)};
+    if (walls.hidden(at.z)) continue;
     const Undercut here = undercut_at(side, at, parting, layer);
     if (here.piece != piece) {
       if (worst.strain > 0) map.push_back(worst);
@@ -187,10 +208,12 @@ void add_worst_of_side(const Side& side, const Parting& parting, const CastLayer
   if (worst.strain > 0) map.push_back(worst);
 }
 
-std::vector<Undercut> map_of(const std::vector<Side>& sides, const Parting& parting,
+std::vector<Undercut> map_of(const GrooveWalls& walls, const Parting& parting,
                              const CastLayer& layer, double spacing) {
   std::vector<Undercut> map;
-  for (const Side& side : sides) add_worst_of_side(side, parting, layer, spacing, map);
+  for (const Side& side : walls.sides) {
+    add_worst_of_side(walls, side, parting, layer, spacing, map);
+  }
   return map;
 }
 
@@ -220,7 +243,7 @@ int piece_at(const Parting& parting, PlanePoint point) {
 
 std::vector<Undercut> undercut_map(const Pattern& strands, const Parting& parting,
                                    const CastLayer& layer, double spacing_mm) {
-  return map_of(sides_of(strands), parting, layer, spacing_mm);
+  return map_of(groove_walls(strands), parting, layer, spacing_mm);
 }
 
 Undercut worst_undercut(const std::vector<Undercut>& map) {
@@ -233,7 +256,7 @@ Parting choose_parting(const Pattern& strands, const PartingWish& wish, const Ca
   const int rows = std::clamp(static_cast<int>(strands.length_mm / map_row_mm), 20, most_map_rows);
   const StrandMap map(strands, map_cells, rows, margin_mm);
   const double radius = strands.circumference_mm / (2 * pi);
-  const std::vector<Side> sides = sides_of(strands);
+  const GrooveWalls walls = groove_walls(strands);
   const auto parted_in = [&](int pieces) {
     const double reach = tooth_reach_mm(wish, pieces, radius, layer);
     return best_turn(map, {pieces, 0, radius, toothed_seam(strands.length_mm, reach)});
@@ -243,7 +266,7 @@ Parting choose_parting(const Pattern& strands, const PartingWish& wish, const Ca
   double least = HUGE_VAL;
   for (int pieces = fewest_pieces; pieces <= most_pieces; ++pieces) {
     const Parting parting = parted_in(pieces);
-    const double strain = worst_undercut(map_of(sides, parting, layer, 0.25)).strain;
+    const double strain = worst_undercut(map_of(walls, parting, layer, 0.25)).strain;
     if (strain < least) {
       least = strain;
       best = parting;

@@ -47,8 +47,9 @@ struct CastLayer {
   double ceiling_mm = 0;
 };
 
-/// The worst place of every strand side in every piece that it passes, along the tube within
-/// `spacing_mm`; empty where nothing catches. Sides that other strands hide are included.
+/// The worst place of every strand side in every piece that it passes, along the strand within
+/// `spacing_mm`; empty where nothing catches. What lies inside of a ring is left out; sides that
+/// other crossing strands hide are included.
 std::vector<Undercut> undercut_map(const Pattern& strands, const Parting& parting,
                                    const CastLayer& layer, double spacing_mm = 0.25);
 
