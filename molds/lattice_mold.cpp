@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -199,6 +200,20 @@ void add_rings(const LatticeMoldPlan& plan, Mold& mold) {
                          "holds core and shell on one axis"});
 }
 
+// "Undercuts: shell-1 0.93 mm (47 %), shell-2 ..."
+std::string undercut_list(const LatticeMoldPlan& plan) {
+  std::string text;
+  for (int piece = 0; piece < plan.shell.parting.pieces; ++piece) {
+    std::vector<Undercut> here;
+    std::copy_if(plan.undercuts.begin(), plan.undercuts.end(), std::back_inserter(here),
+                 [&](const Undercut& undercut) { return undercut.piece == piece; });
+    const Undercut worst = worst_undercut(here);
+    text += fmt::format("{} shell-{} {:.2f} mm ({:.0f} %)", piece == 0 ? "Undercuts:" : ",",
+                        piece + 1, worst.undercut_mm, 100 * worst.strain);
+  }
+  return text + ".";
+}
+
 void add_notes(const LatticeMoldPlan& plan, Mold& mold) {
   const Undercut worst = worst_undercut(plan.undercuts);
   const double radius = plan.shell.parting.drawn_radius_mm;
@@ -209,16 +224,15 @@ void add_notes(const LatticeMoldPlan& plan, Mold& mold) {
         worst.piece + 1, worst.strand_width_mm, worst.undercut_mm, 100 * worst.strain,
         std::remainder(worst.at.u / radius, 2 * pi) * 180 / pi, worst.at.z - plan.land_mm));
   }
+  mold.notes.push_back(undercut_list(plan));
   if (worst.strain > plan.options.allowed_strain) {
     mold.notes.push_back(
         fmt::format("That is more than the {:.0f} % that the cast material should bear: use more "
                     "shell pieces, or demold while the casting is still soft.",
                     100 * plan.options.allowed_strain));
   }
-  mold.notes.push_back(fmt::format(
-      "Pour slowly through the {} lowest bore{} with a syringe until each of the {} vents "
-      "overflows, then plug them.",
-      plan.fill.sprues.size(), plan.fill.sprues.size() == 1 ? "" : "s", plan.fill.vents.size()));
+  mold.notes.push_back(fmt::format("Bores: {} at the bottom to fill through, {} vents.",
+                                   plan.fill.sprues.size(), plan.fill.vents.size()));
   if (plan.shell.straps.empty()) {
     mold.notes.emplace_back("The shell is too short for strap grooves: hold it by base and cap.");
   }

@@ -161,7 +161,10 @@ std::string demolding(const Casting& casting) {
     } else if (piece->pulls_sideways) {
       steps.push_back(fmt::format("Pull {} sideways, towards {:.0f} degrees around the axis.",
                                   piece->name, pull_deg(*piece)));
-    } else {
+    } else if (piece->name == "pattern") {
+      steps.emplace_back(
+          "Slit the rubber along the axis, between gates, down to the pattern, and peel it off.");
+    } else if (piece->name == casting.inside) {
       steps.push_back(
           fmt::format("Push the {} out along the axis; air or water between it and the "
                       "rubber helps.",

@@ -94,8 +94,8 @@ Solid pattern_solid(const LatticeMoldPlan& plan, const Height& height, double bo
 
 void add_notes(const LatticeMoldPlan& plan, double lattice_mm3, Mold& mold) {
   mold.notes.emplace_back(
-      "Two castings: first mold rubber around the pattern, as above. Take the flexible mold off by "
-      "one slit along the axis, between gates, and open the channels of the gates.");
+      "Two castings: first mold rubber around the pattern, as above; open the channels that the "
+      "gates leave.");
   mold.notes.push_back(fmt::format(
       "Then stand the core in the base, close the flexible mold around it, put on the cap and "
       "strap the mold; the box stays off. The lattice takes {:.1f} ml of {}: press it in through "
