@@ -21,7 +21,8 @@ Segment tube() {
 
 std::string procedure(const Segment& segment, const LinerMoldOptions& options, Process process) {
   const Mold mold = liner_mold(segment, options);
-  Casting casting{"Liner", mold, segment.liner.material, process, options.keyed, {}};
+  Casting casting{"Liner", mold, segment.liner.material, process};
+  casting.into_lattice = options.keyed;
   casting.extras = end_plugs(segment, {});
   return pour_procedure(casting);
 }
@@ -67,6 +68,7 @@ TEST(PourProcedure, HoldsEveryPieceAmountAndStep) {
   EXPECT_TRUE(holds(text, "holds 29.9 ml. Mix 39.4 ml, 42.2 g at 1.07 g/cm3")) << text;
   EXPECT_TRUE(holds(text, "Pull shell-1 sideways, towards 90 degrees"));
   EXPECT_TRUE(holds(text, "Pull shell-2 sideways, towards 270 degrees"));
+  EXPECT_TRUE(holds(text, "Set the core into the socket"));
   EXPECT_TRUE(holds(text, "Push the core out"));
   EXPECT_TRUE(holds(text, "Polyurethane needs a release agent"));
   EXPECT_TRUE(holds(text, "leave ridges"));
