@@ -209,9 +209,11 @@ TEST(LatticeMold, SaysHowMuchItCatches) {
   LatticeMoldOptions options;
   options.pieces = 2;
   const Mold halves = lattice_mold(twisting_segment(), options);
-  ASSERT_GE(halves.notes.size(), 2U);
+  ASSERT_GE(halves.notes.size(), 3U);
   EXPECT_NE(halves.notes[0].find("shell-"), std::string::npos);
-  EXPECT_NE(halves.notes[1].find("more shell pieces"), std::string::npos);
+  EXPECT_EQ(halves.notes[1].find("Undercuts: shell-1 "), 0U) << halves.notes[1];
+  EXPECT_NE(halves.notes[1].find(", shell-2 "), std::string::npos);
+  EXPECT_NE(halves.notes[2].find("more shell pieces"), std::string::npos);
 }
 
 }  // namespace
