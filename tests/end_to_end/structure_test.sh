@@ -21,7 +21,7 @@ licence='// SPDX-License-Identifier: GPL-3.0-or-later'
 
 lay_good_tree() {
   rm -rf "${tree:?}"/*
-  put dev '#!/usr/bin/env bash' '# SPDX-License-Identifier: GPL-3.0-or-later' 'rm -rf out/work/old'
+  put dev '#!/usr/bin/env bash' '# SPDX-License-Identifier: GPL-3.0-or-later' "rm -rf out$work/old"
   put spec/design.h "$licence" '#include <vector>'
   put spec/private_reader.h "$licence" '#include <toml++/toml.h>'
   put spec/reader.cpp "$licence" '#include "spec/private_reader.h"' '#include "spec/design.h"'
@@ -31,7 +31,7 @@ lay_good_tree() {
   put model/section.h "$licence" '#include "spec/design.h"'
   put app/build.cpp "$licence" '#include <CLI/CLI.hpp>' '#include "geometry/solid/audit.h"' '#include "model/section.h"'
   put tests/unit/audit_test.cpp "$licence" '#include <gtest/gtest.h>' '#include "spec/private_reader.h"'
-  put examples/one.toml '# A design' 'name = "https://example.org/work/one"'
+  put examples/one.toml '# A design' "name = \"https://example.org$work/one\""
   put build/generated.cpp '#include "../x.h"'
 }
 
