@@ -25,6 +25,18 @@ done
 holds test "$(find built -name '*-lattice.stl' | grep -vc preview)" -eq 10
 holds test "$(find built -name '*-preview.png' | wc -l)" -eq 8
 
+# What the README prints is a design, and so it is with its second grid in place of the first.
+readme=$source_tree/README.md
+awk '/^name = "my-twister"/ { on = 1 } /^```/ { if (on) exit } on' "$readme" >my-twister.toml
+awk '/^\[\[segment.lattice.grid\]\]/ { on = 1 } /^```/ { if (on) exit } on' "$readme" >grid.toml
+holds test -s grid.toml
+sed -e '/^grid = /{r grid.toml' -e 'd}' my-twister.toml >tilted.toml
+expect 0 "$program" predict my-twister.toml --hold twist --pressure 60
+says "855.466"
+expect 0 "$program" build my-twister.toml -o readme
+expect 0 "$program" build tilted.toml -o readme
+holds test "$(grep -c 'closed, 1 piece' <<<"$out")" -ge 5
+
 # Elongation: longer, neither twisted nor bent.
 expect 0 "$program" predict "$examples/elongation/elongation.toml" --format csv
 every_row '$4 == 0 && $6 == 0 && $12 == 1'
