@@ -34,7 +34,7 @@ std::vector<double> read_listed_widths(const Field& field, std::optional<int> co
 std::vector<double> read_graded_widths(const Field& field, int count) {
   constexpr Word<WidthProfile> words[] = {{"cosine", WidthProfile::cosine},
                                           {"halves", WidthProfile::halves}};
-  Section table = field.section("");
+  TableReader table = field.as_table("");
   const double from_mm = table.need("from", "from = 2").number(limits::length);
   const double to_mm = table.need("to", "to = 4").number(limits::length);
   const WidthProfile profile =

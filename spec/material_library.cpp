@@ -38,7 +38,7 @@ std::vector<Issue> add_materials(std::string_view toml_text, MaterialLibrary& li
   if (!parsed.issues.empty()) return parsed.issues;
   Problems problems;
   MaterialLibrary added;
-  for (const auto& [name, field] : root_section(parsed.root, problems).entries()) {
+  for (const auto& [name, field] : root_table(parsed.root, problems).entries()) {
     check_entry_name(name, field);
     if (const auto material = read_library_entry(name, field)) added.emplace(name, *material);
   }

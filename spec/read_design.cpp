@@ -40,7 +40,7 @@ std::string read_name(const Field& field) {
   return name;
 }
 
-Design read_tables(Section file, const MaterialLibrary& materials) {
+Design read_tables(TableReader file, const MaterialLibrary& materials) {
   Design design;
   design.name = read_name(file.need("name", R"(name = "twisting-36")"));
   design.model = read_model(file.may("model"));
@@ -61,7 +61,7 @@ ReadResult read_design(std::string_view toml_text, const MaterialLibrary& materi
   if (!parsed.issues.empty()) return {{}, parsed.issues};
   Problems problems;
   ReadResult result;
-  result.design = read_tables(root_section(parsed.root, problems), materials);
+  result.design = read_tables(root_table(parsed.root, problems), materials);
   result.issues = problems.in_file_order();
   return result;
 }

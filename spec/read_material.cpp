@@ -19,27 +19,27 @@ constexpr Word<LawKind> law_words[] = {{"linear", LawKind::linear},
 constexpr std::string_view inline_hint =
     R"(write a material's name, or a table as in { law = "neo-hookean", mu = 0.08 })";
 
-Law read_linear(Section& table) {
+Law read_linear(TableReader& table) {
   return Linear{.youngs_modulus_mpa = table.need("E", "E = 19.46").number(limits::modulus),
                 .poisson_ratio = table.may("nu").number_or(0.5, limits::poisson_ratio)};
 }
 
-Law read_neo_hookean(Section& table) {
+Law read_neo_hookean(TableReader& table) {
   return NeoHookean{.shear_modulus_mpa = table.need("mu", "mu = 0.08").number(limits::modulus)};
 }
 
-Law read_yeoh(Section& table) {
+Law read_yeoh(TableReader& table) {
   return Yeoh{.c1_mpa = table.need("c1", "c1 = 0.04").number(limits::modulus),
               .c2_mpa = table.may("c2").number_or(0, limits::stiffening),
               .c3_mpa = table.may("c3").number_or(0, limits::stiffening)};
 }
 
-Law read_gent(Section& table) {
+Law read_gent(TableReader& table) {
   return Gent{.shear_modulus_mpa = table.need("mu", "mu = 0.08").number(limits::modulus),
               .limit_jm = table.need("jm", "jm = 60").number(limits::gent_limit)};
 }
 
-std::optional<Law> read_law(Section& table) {
+std::optional<Law> read_law(TableReader& table) {
   switch (table.need("law", R"(law = "neo-hookean")").word_or(LawKind::unknown, law_words)) {
     case LawKind::linear:
       return read_linear(table);
@@ -65,7 +65,7 @@ void read_modulus_band(const Field& field, Material& material) {
   material.modulus_high_factor = ends[1].optional_number(limits::modulus_high);
 }
 
-std::optional<Material> read_entry(const std::string& name, Section table, bool needs_source) {
+std::optional<Material> read_entry(const std::string& name, TableReader table, bool needs_source) {
   const std::optional<Law> law = read_law(table);
   Material material;
   material.name = name;
@@ -96,11 +96,11 @@ std::vector<std::string> names_of(const MaterialLibrary& library) {
 
 std::optional<Material> read_library_entry(const std::string& name, const Field& field) {
   constexpr std::string_view hint = "write [NAME] on a line of its own, and the constants below it";
-  return read_entry(name, field.section(hint), true);
+  return read_entry(name, field.as_table(hint), true);
 }
 
 std::optional<Material> read_material(const Field& field, const MaterialLibrary& library) {
-  if (field.is_table()) return read_entry("inline", field.section(inline_hint), false);
+  if (field.is_table()) return read_entry("inline", field.as_table(inline_hint), false);
   if (field.present() && !field.is_text()) {
     field.refuse("must be a material's name or an inline table", std::string(inline_hint));
     return std::nullopt;

@@ -18,7 +18,7 @@ struct Wall {
   Field blamed;
 };
 
-Wall read_wall(Section& table, double default_mm) {
+Wall read_wall(TableReader& table, double default_mm) {
   const Field wall = table.may("wall");
   return {wall.number_or(default_mm, limits::length), wall.present() ? wall : table.table()};
 }
@@ -64,7 +64,8 @@ std::optional<LatticeMold> read_lattice_mold(const Field& field, const MoldSurro
   if (!field.present()) return std::nullopt;
   constexpr Word<MoldMethod> methods[] = {{"direct", MoldMethod::direct},
                                           {"replica", MoldMethod::replica}};
-  Section table = field.section(R"(write lattice_mold = { pieces = "auto", wall = 5 }, or {})");
+  TableReader table =
+      field.as_table(R"(write lattice_mold = { pieces = "auto", wall = 5 }, or {})");
   LatticeMold mold;
   const Field pieces = table.may("pieces");
   const bool is_auto = pieces.is_text() && pieces.text() == "auto";
@@ -91,7 +92,7 @@ std::optional<LinerMold> read_liner_mold(const Field& field, const MoldSurroundi
   if (!field.present()) return std::nullopt;
   constexpr Word<LinerEnds> words[] = {
       {"open", LinerEnds::open}, {"closed", LinerEnds::closed}, {"flanged", LinerEnds::flanged}};
-  Section table = field.section("write liner_mold = { wall = 5 }, or {}");
+  TableReader table = field.as_table("write liner_mold = { wall = 5 }, or {}");
   LinerMold mold;
   const Wall wall = read_wall(table, mold.wall_mm);
   mold.wall_mm = wall.thickness_mm;

@@ -24,7 +24,7 @@ void check_liner_law(const Material& material, ColumnModel columns, const Field&
   }
 }
 
-Liner read_liner(Section table, const MaterialLibrary& library, ColumnModel columns) {
+Liner read_liner(TableReader table, const MaterialLibrary& library, ColumnModel columns) {
   Liner liner;
   liner.inner_radius_mm = table.need("inner_radius", "inner_radius = 12").number(limits::length);
   liner.thickness_mm = table.need("thickness", "thickness = 4").number(limits::length);
@@ -37,7 +37,7 @@ Liner read_liner(Section table, const MaterialLibrary& library, ColumnModel colu
   return liner;
 }
 
-Rings read_rings(Section table, double segment_length_mm) {
+Rings read_rings(TableReader table, double segment_length_mm) {
   const Field count = table.may("count");
   const Field pitch = table.may("pitch");
   Rings rings;
@@ -57,7 +57,7 @@ Rings read_rings(Section table, double segment_length_mm) {
 
 std::optional<Horseshoe> read_horseshoe(const Field& field) {
   if (!field.present()) return std::nullopt;
-  Section table = field.section("write horseshoe = { radius = 2.656, arc = 180 }");
+  TableReader table = field.as_table("write horseshoe = { radius = 2.656, arc = 180 }");
   Horseshoe horseshoe;
   horseshoe.radius_mm = table.need("radius", "radius = 2.656").number(limits::length);
   horseshoe.arc_deg = table.may("arc").number_or(horseshoe.arc_deg, limits::horseshoe_arc);
@@ -66,7 +66,7 @@ std::optional<Horseshoe> read_horseshoe(const Field& field) {
   return horseshoe;
 }
 
-std::vector<double> read_widths(Section& table, const Field& width) {
+std::vector<double> read_widths(TableReader& table, const Field& width) {
   const Field count = width.is_list() ? table.may("count") : table.need("count", "count = 8");
   const std::optional<int> strands = count.whole(1, limits::strands_or_rings);
   if (width.is_list()) return read_listed_widths(width, strands);
@@ -75,7 +75,7 @@ std::vector<double> read_widths(Section& table, const Field& width) {
   return std::vector<double>(strands.value_or(0), every_width);
 }
 
-Grid read_grid(Section table, const Segment& segment, ColumnModel columns) {
+Grid read_grid(TableReader table, const Segment& segment, ColumnModel columns) {
   Grid grid;
   const Field angle = table.need("angle", "angle = 36");
   const Field width = table.need("width", "width = 2");
@@ -103,7 +103,7 @@ Material read_lattice_material(const Field& field, const MaterialLibrary& librar
   return *material;
 }
 
-void read_lattice(Section table, const MaterialLibrary& library, ColumnModel columns,
+void read_lattice(TableReader table, const MaterialLibrary& library, ColumnModel columns,
                   Segment& segment) {
   // In place, because the grids' rules need the layer's radius.
   Lattice& lattice = segment.lattice.emplace();
@@ -116,12 +116,12 @@ void read_lattice(Section table, const MaterialLibrary& library, ColumnModel col
   const Field rings = table.may("rings");
   if (rings.present()) {
     lattice.rings =
-        read_rings(rings.section("start with a line [segment.lattice.rings]"), segment.length_mm);
+        read_rings(rings.as_table("start with a line [segment.lattice.rings]"), segment.length_mm);
   }
   const Field grid = table.may("grid");
   constexpr std::string_view grid_hint = "start each family with a line [[segment.lattice.grid]]";
   for (const Field& item : grid.items(1, limits::families, grid_hint)) {
-    lattice.grids.push_back(read_grid(item.section(grid_hint), segment, columns));
+    lattice.grids.push_back(read_grid(item.as_table(grid_hint), segment, columns));
   }
   table.refuse_unknown_keys();
   if (table.present() && !rings.present() && !grid.present()) {
@@ -132,14 +132,15 @@ void read_lattice(Section table, const MaterialLibrary& library, ColumnModel col
   check_crossings(segment, table.table());
 }
 
-Segment read_segment(Section table, const MaterialLibrary& library, ColumnModel columns) {
+Segment read_segment(TableReader table, const MaterialLibrary& library, ColumnModel columns) {
   Segment segment;
   segment.length_mm = table.need("length", "length = 85").number(limits::length);
   const Field liner = table.need("liner", "a line [segment.liner], with its keys below");
   const Field lattice = table.may("lattice");
-  segment.liner = read_liner(liner.section("start with a line [segment.liner]"), library, columns);
+  segment.liner = read_liner(liner.as_table("start with a line [segment.liner]"), library, columns);
   if (lattice.present()) {
-    read_lattice(lattice.section("start with a line [segment.lattice]"), library, columns, segment);
+    read_lattice(lattice.as_table("start with a line [segment.lattice]"), library, columns,
+                 segment);
   }
   table.refuse_unknown_keys();
   return segment;
@@ -151,7 +152,7 @@ std::vector<Segment> read_segments(const Field& field, const MaterialLibrary& li
                                    ColumnModel columns) {
   std::vector<Segment> segments;
   for (const Field& item : field.items(1, limits::segments, segment_hint)) {
-    segments.push_back(read_segment(item.section(segment_hint), library, columns));
+    segments.push_back(read_segment(item.as_table(segment_hint), library, columns));
   }
   return segments;
 }

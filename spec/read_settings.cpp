@@ -14,7 +14,7 @@ namespace latticast {
 namespace {
 
 std::vector<double> read_sweep(const Field& field) {
-  Section table = field.section("");
+  TableReader table = field.as_table("");
   PressureSweep sweep;
   sweep.from_kpa = table.need("from", "from = 0").number(limits::pressure);
   sweep.to_kpa = table.need("to", "to = 60").number(limits::pressure);
@@ -60,7 +60,7 @@ LoadCase read_pressures_of_case(const Field& pressure, std::size_t segments) {
   return load;
 }
 
-LoadCase read_case(Section table, std::size_t segments) {
+LoadCase read_case(TableReader table, std::size_t segments) {
   LoadCase load = read_pressures_of_case(table.need("pressure", "pressure = 30"), segments);
   table.refuse_unknown_keys();
   return load;
@@ -117,7 +117,7 @@ std::vector<LoadCase> read_case_grid(const Field& field, std::size_t segments) {
 
 std::optional<Preview> read_preview(const Field& field, std::size_t segments) {
   if (!field.present()) return std::nullopt;
-  Section table = field.section("write preview = { pressures = [0, 20, 40] }");
+  TableReader table = field.as_table("write preview = { pressures = [0, 20, 40] }");
   const Field pressures = table.need("pressures", "pressures = [0, 20, 40]");
   table.refuse_unknown_keys();
   Preview preview;
@@ -172,14 +172,14 @@ double thinnest_feature_mm(const std::vector<Segment>& segments) {
 }  // namespace
 
 std::vector<LoadCase> read_load(const Field& field, std::size_t segments) {
-  Section table = field.section("start with a line [load]");
+  TableReader table = field.as_table("start with a line [load]");
   std::vector<LoadCase> cases;
   for (const double pressure : read_common_pressures(table.may("pressure"))) {
     cases.push_back({std::vector<double>(segments, pressure)});
   }
   constexpr std::string_view hint = "start each case with a line [[load.case]]";
   for (const Field& item : table.may("case").items(1, limits::load_cases, hint)) {
-    cases.push_back(read_case(item.section(hint), segments));
+    cases.push_back(read_case(item.as_table(hint), segments));
   }
   const Field grid = table.may("grid");
   if (grid.present()) {
@@ -197,7 +197,7 @@ ModelChoice read_model(const Field& field) {
   constexpr Word<JointModel> joints[] = {{"none", JointModel::none},
                                          {"paper", JointModel::paper},
                                          {"clear-span", JointModel::clear_span}};
-  Section table = field.section("start with a line [model]");
+  TableReader table = field.as_table("start with a line [model]");
   ModelChoice model;
   model.wall = table.may("kind").word_or(model.wall, kinds);
   model.columns = table.may("columns").word_or(model.columns, columns);
@@ -207,7 +207,7 @@ ModelChoice read_model(const Field& field) {
 }
 
 Make read_make(const Field& field, const std::vector<Segment>& segments, const Printer& printer) {
-  Section table = field.section("start with a line [make]");
+  TableReader table = field.as_table("start with a line [make]");
   const MoldSurroundings around{segments, fit_clearance_mm(printer)};
   const Field lattice = table.may("lattice");
   Make make;
@@ -228,9 +228,9 @@ Make read_make(const Field& field, const std::vector<Segment>& segments, const P
   return make;
 }
 
-Export read_export(Section& file, const std::vector<Segment>& segments) {
+Export read_export(TableReader& file, const std::vector<Segment>& segments) {
   const Field field = file.may("export");
-  Section table = field.section("start with a line [export]");
+  TableReader table = field.as_table("start with a line [export]");
   Export output;
   const Field formats = table.may("formats");
   const Field tolerance = table.may("tolerance");
@@ -252,7 +252,7 @@ Export read_export(Section& file, const std::vector<Segment>& segments) {
 
 Printer read_printer(const Field& field) {
   constexpr Word<Process> processes[] = {{"fdm", Process::fdm}, {"sla", Process::sla}};
-  Section table = field.section("start with a line [printer]");
+  TableReader table = field.as_table("start with a line [printer]");
   Printer printer;
   printer.process = table.may("process").word_or(printer.process, processes);
   printer.min_wall_mm = table.may("min_wall").optional_number(limits::length);

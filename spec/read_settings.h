@@ -20,7 +20,7 @@ Make read_make(const Field& field, const std::vector<Segment>& segments, const P
 
 /// [export] of the file. The tolerance, written or not, must be finer than the thinnest layer and
 /// the narrowest strand, ring or fillet.
-Export read_export(Section& file, const std::vector<Segment>& segments);
+Export read_export(TableReader& file, const std::vector<Segment>& segments);
 
 Printer read_printer(const Field& field);
 

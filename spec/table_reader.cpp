@@ -139,12 +139,12 @@ std::vector<double> Field::numbers(std::size_t low, std::size_t high, const Rang
   return values;
 }
 
-Section Field::section(std::string_view hint) const {
+TableReader Field::as_table(std::string_view hint) const {
   if (present() && !is_table()) {
     refuse("must be a table", std::string(hint));
-    return Section(Field(nullptr, path_, *problems_));
+    return TableReader(Field(nullptr, path_, *problems_));
   }
-  return Section(*this);
+  return TableReader(*this);
 }
 
 void Field::refuse(std::string rule, std::string hint) const {
@@ -154,16 +154,16 @@ void Field::refuse(std::string rule, std::string hint) const {
                                   std::move(rule), std::move(hint)});
 }
 
-Field Section::member_field(const TomlMember& member) const {
+Field TableReader::member_field(const TomlMember& member) const {
   return Field(&member.value, path_of(member.key), *table_.problems_);
 }
 
-std::string Section::path_of(std::string_view key) const {
+std::string TableReader::path_of(std::string_view key) const {
   const std::string last = written_key(key);
   return table_.path_.empty() ? last : fmt::format("{}.{}", table_.path_, last);
 }
 
-Field Section::may(std::string_view key) {
+Field TableReader::may(std::string_view key) {
   known_.emplace_back(key);
   const TomlValue::Table& members = this->members();
   const auto found = std::lower_bound(
@@ -173,7 +173,7 @@ Field Section::may(std::string_view key) {
   return Field(nullptr, path_of(key), *table_.problems_);
 }
 
-Field Section::need(std::string_view key, std::string_view example) {
+Field TableReader::need(std::string_view key, std::string_view example) {
   Field field = may(key);
   if (present() && !field.present()) {
     const TomlValue& table = *table_.value_;
@@ -183,7 +183,7 @@ Field Section::need(std::string_view key, std::string_view example) {
   return field;
 }
 
-void Section::refuse_unknown_keys() const {
+void TableReader::refuse_unknown_keys() const {
   for (const TomlMember& member : members()) {
     if (std::find(known_.begin(), known_.end(), member.key) != known_.end()) continue;
     table_.problems_->add(member.key_column,
@@ -192,19 +192,19 @@ void Section::refuse_unknown_keys() const {
   }
 }
 
-std::vector<std::pair<std::string, Field>> Section::entries() const {
+std::vector<std::pair<std::string, Field>> TableReader::entries() const {
   std::vector<std::pair<std::string, Field>> fields;
   for (const TomlMember& member : members()) fields.emplace_back(member.key, member_field(member));
   return fields;
 }
 
-const TomlValue::Table& Section::members() const {
+const TomlValue::Table& TableReader::members() const {
   static const TomlValue::Table none;
   return table_.is_table() ? std::get<TomlValue::Table>(table_.value_->content) : none;
 }
 
-Section root_section(const TomlValue& root, Problems& problems) {
-  return Section(Field(&root, "", problems));
+TableReader root_table(const TomlValue& root, Problems& problems) {
+  return TableReader(Field(&root, "", problems));
 }
 
 }  // namespace latticast

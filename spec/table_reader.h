@@ -38,7 +38,7 @@ struct Word {
   Meaning meaning;
 };
 
-class Section;
+class TableReader;
 
 /// A value together with its key path, or the absence of one. Reading an absent field gives the
 /// fallback and says nothing; reading a present one that breaks its rule notes the problem and
@@ -82,14 +82,14 @@ class Field {
   /// A list of numbers; entries that are refused are NaN, so that the size is what was written.
   std::vector<double> numbers(std::size_t low, std::size_t high, const Range& range) const;
 
-  /// The field as a table; an absent section when it is not one. `hint` says how it is written.
-  Section section(std::string_view hint) const;
+  /// The field as a table; an absent one when it is something else. `hint` says how it is written.
+  TableReader as_table(std::string_view hint) const;
 
   /// Notes that this field breaks a rule. Nothing when the field is absent.
   void refuse(std::string rule, std::string hint) const;
 
  private:
-  friend class Section;
+  friend class TableReader;
   std::optional<std::size_t> index_of_word(const std::vector<std::string>& names) const;
 
   const TomlValue* value_;
@@ -98,10 +98,10 @@ class Field {
 };
 
 /// A table being read. Every key that is asked for counts as known; when all have been asked for,
-/// refuse_unknown_keys() notes the others. An absent section has only absent fields, silently.
-class Section {
+/// refuse_unknown_keys() notes the others. An absent table has only absent fields, silently.
+class TableReader {
  public:
-  explicit Section(Field table) : table_(std::move(table)) {}
+  explicit TableReader(Field table) : table_(std::move(table)) {}
 
   bool present() const { return table_.present(); }
   const Field& table() const { return table_; }
@@ -124,6 +124,6 @@ class Section {
 };
 
 /// The outermost table of a file.
-Section root_section(const TomlValue& root, Problems& problems);
+TableReader root_table(const TomlValue& root, Problems& problems);
 
 }  // namespace latticast

@@ -6,6 +6,7 @@
 #   - A folder includes only what lies below it (table `below`).
 #   - A third-party header is included only in the folder that owns the library (table `owners`), and
 #     no file of another folder reaches it through that folder's headers.
+#   - No two headers define a type of one name.
 #   - Every source starts with its licence.
 #   - No file names a folder of somebody's machine.
 set -euo pipefail
@@ -146,9 +147,27 @@ machine_path_violations() {
     sed -E 's/^([^:]*:[0-9]+:).*/\1 names a folder of one machine/' || true
 }
 
+# All headers share one namespace: two types of one name would share their constructors, too, and the
+# linker keeps only one of each.
+repeated_type_violations() {
+  { grep -E '^(spec|geometry|model|molds|export|app|bench)/.*\.h$' || true; } |
+    { xargs -d '\n' -r grep -HnE '^(struct|class|enum class|union) +[A-Za-z0-9_]+( |:|[{]|$)' || true; } |
+    awk -F: '
+      {
+        name = $3
+        sub(/^(enum class|[a-z]+) +/, "", name)
+        sub(/[^A-Za-z0-9_].*/, "", name)
+        if (name in first && first[name] != $1)
+          print $1 ":" $2 ": the type " name " is defined in " first[name] " already"
+        else
+          first[name] = $1
+      }'
+}
+
 # A new folder or library is added to the tables above.
 violations=$(
   files | include_violations
+  files | repeated_type_violations
   files | licence_violations
   files | machine_path_violations
 )

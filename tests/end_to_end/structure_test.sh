@@ -23,12 +23,12 @@ lay_good_tree() {
   rm -rf "${tree:?}"/*
   put dev '#!/usr/bin/env bash' '# SPDX-License-Identifier: GPL-3.0-or-later' "rm -rf out$work/old"
   put spec/design.h "$licence" '#include <vector>'
-  put spec/private_reader.h "$licence" '#include <toml++/toml.h>'
+  put spec/private_reader.h "$licence" "struct Section;" '#include <toml++/toml.h>'
   put spec/reader.cpp "$licence" '#include "spec/private_reader.h"' '#include "spec/design.h"'
   put geometry/mesh/triangle_mesh.h "$licence"
   put geometry/solid/audit.h "$licence" '#include "geometry/mesh/triangle_mesh.h"'
   put geometry/solid/audit.cpp "$licence" '#include <CGAL/box_intersection_d.h>' '#include "spec/design.h"'
-  put model/section.h "$licence" '#include "spec/design.h"'
+  put model/section.h "$licence" '#include "spec/design.h"' 'struct Section {' '};'
   put app/build.cpp "$licence" '#include <CLI/CLI.hpp>' '#include "geometry/solid/audit.h"' '#include "model/section.h"'
   put tests/unit/audit_test.cpp "$licence" '#include <gtest/gtest.h>' '#include "spec/private_reader.h"'
   put examples/one.toml '# A design' "name = \"https://example.org$work/one\""
@@ -82,6 +82,7 @@ violation app/build.cpp '#include <png.h>' 'is not for app'
 violation spec/reader.cpp '#include <nlohmann/json.hpp>' 'is not for spec'
 violation model/section.cpp '#include <unheard/of.h>' 'belongs to no folder'
 violation app/build.cpp '#include "spec/private_reader.h"' 'carries <toml\+\+/toml.h> out of its folder'
+violation spec/design.h 'class Section {};' '^spec/design.h:3: the type Section is defined in model/section.h already|^model/section.h:3: the type Section is defined in spec/design.h already'
 violation docs/page.md "Look in $home/someone/latticast" '^docs/page.md:2: names a folder'
 violation app/build.cpp "// see $work/notes.txt" '^app/build.cpp:5: names a folder'
 
