@@ -25,6 +25,10 @@ if(LATTICAST_SANITIZE)
   target_link_options(latticast_settings INTERFACE -fsanitize=address,undefined)
 endif()
 
+if(LATTICAST_FUZZ)
+  target_compile_options(latticast_settings INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 # latticast_library(NAME SOURCES ... LINKS ... PRIVATE ...)
 #   LINKS:   targets of ours whose headers appear in this one's headers
 #   PRIVATE: third-party targets, seen by this target's sources alone

@@ -39,9 +39,6 @@ std::string read_bytes(const std::filesystem::path& file) {
   if (error || !stream) {
     throw FileError(file, "cannot be read");
   }
-  if (bytes.empty()) {
-    throw FileError(file, "is empty");
-  }
   return bytes;
 }
 
@@ -120,7 +117,14 @@ void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, Mes
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& file) {
-  TriangleMesh mesh = decode(file, read_bytes(file));
+  return read_mesh_bytes(file, read_bytes(file));
+}
+
+TriangleMesh read_mesh_bytes(const std::filesystem::path& file, std::string_view bytes) {
+  if (bytes.empty()) {
+    throw FileError(file, "is empty");
+  }
+  TriangleMesh mesh = decode(file, bytes);
   if (mesh.triangles.empty()) {
     throw FileError(file, "holds no triangle");
   }

@@ -50,4 +50,8 @@ void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, Mes
 /// are less careful with damaged files.
 TriangleMesh read_mesh(const std::filesystem::path& file);
 
+/// The same from the bytes of a file; `file` gives the extension and the name in errors, and is not
+/// opened.
+TriangleMesh read_mesh_bytes(const std::filesystem::path& file, std::string_view bytes);
+
 }  // namespace latticast
