@@ -85,7 +85,7 @@ class ArcLaw::Builder {
 
   std::optional<Draft> draft(const ArcEquilibrium& from, const State& origin, double end) const;
   void integrate(Piece& piece) const;
-  bool passes(const Draft& draft);
+  bool passes(Draft& draft);
 
   ArcSolver solver_;
   GaussRule rule_;
@@ -140,7 +140,7 @@ void ArcLaw::Builder::integrate(Piece& piece) const {
 }
 
 // Compares with equilibria solved between the nodes, where an interpolant is worst.
-bool ArcLaw::Builder::passes(const Draft& draft) {
+bool ArcLaw::Builder::passes(Draft& draft) {
   ArcLawAccuracy accuracy = accuracy_;
   for (const std::size_t i : {0, 4, 10, 14}) {
     const double strain = (draft.nodes[i].strain + draft.nodes[i + 1].strain) / 2;
@@ -149,6 +149,7 @@ bool ArcLaw::Builder::passes(const Draft& draft) {
     const State state = evaluate(draft.piece, strain);
     const double error = std::abs(state.force / solved->bent.force - 1);
     if (!(error <= tolerance / 4)) return false;
+    draft.piece.error = std::max(draft.piece.error, error);
     accuracy.force_error = std::max(accuracy.force_error, error);
     accuracy.slope_error =
         std::max(accuracy.slope_error, std::abs(state.slope / solved->force_by_strain - 1));
@@ -217,7 +218,7 @@ ArcLaw::State ArcLaw::evaluate(const Piece& piece, double strain) {
   const ValueAndSlope stiffness = sum_series(piece.stiffness, x);
   const double curvature = sum_series(piece.curvature, x).value;
   return {piece.origin_energy + s * (piece.origin_force + s * curvature), strain * stiffness.value,
-          stiffness.value + strain * stiffness.slope / piece.half_length};
+          stiffness.value + strain * stiffness.slope / piece.half_length, piece.error};
 }
 
 std::optional<ArcLaw::State> ArcLaw::at(double strain) const {

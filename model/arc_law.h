@@ -44,6 +44,7 @@ class ArcLaw {
     double energy = 0;  ///< integral of beta by strain, from 0
     double force = 0;   ///< beta
     double slope = 0;   ///< d beta / d strain
+    double error = 0;   ///< of beta, relative: the largest at this polynomial's check points
   };
 
   /// Precondition: 0 < half angle < pi, compliance > 0, range holds 0 and is finite.
@@ -72,6 +73,7 @@ class ArcLaw {
     double origin = 0;  // the piece's end nearer to 0
     double origin_energy = 0;
     double origin_force = 0;
+    double error = 0;    // relative, of the force
     Series stiffness{};  // beta/strain
     Series curvature{};  // the energy's second divided difference
   };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include <Eigen/Dense>
@@ -10,7 +11,7 @@
 namespace latticast {
 namespace {
 
-constexpr int most_points = 64;
+constexpr int most_points = 400;  // a bore that has nearly closed needs them
 constexpr int first_around = 8;
 
 /// The next rule in line: what a rule is refined to, and what its error is measured with.
@@ -25,7 +26,7 @@ int points_for(double from, double to) {
   const double pole = (to + from) / (to - from);
   const double rho = pole + std::sqrt(pole * pole - 1);
   const int points = static_cast<int>(std::ceil(0.5 * std::log(1e12) / std::log(rho)));
-  return std::clamp(points, 3, most_points / 2);
+  return std::clamp(points, 3, 32);
 }
 
 double largest_difference(const BalanceAt::Vector& a, const BalanceAt::Vector& b) {
@@ -171,6 +172,19 @@ std::optional<BalanceAt> Balance::evaluate(std::span<const double> x,
     }
   }
   return result;
+}
+
+BalanceAt::Vector Balance::doubt(std::span<const double> x, const BalanceAt& at) const {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const std::size_t n = free_.size();
+  double load = 0;
+  for (std::size_t i = 0; i < n; ++i) load = std::max(load, std::abs(at.push[i] * x[n]));
+  const std::array<double, coordinate_count> law = law_error(section_, quadrature_, deformation(x));
+  BalanceAt::Vector doubt{};
+  for (std::size_t i = 0; i < n; ++i) {
+    doubt[i] = law[free_[i]] * scale_[free_[i]] / energy_ + rounding * load;
+  }
+  return doubt;
 }
 
 LeftOut Balance::left_out(std::span<const double> x) const {

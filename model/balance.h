@@ -51,6 +51,10 @@ class Balance {
   /// The same under the finer quadrature that errors are measured with.
   std::optional<BalanceAt> finer_at(std::span<const double> x) const;
 
+  /// How far the imbalance may be off for other reasons than its quadrature: interpolated horseshoe
+  /// laws, and rounding of forces as large as the pressure's. Scaled as the imbalance is.
+  BalanceAt::Vector doubt(std::span<const double> x, const BalanceAt& at) const;
+
   /// Stiffness against the free coordinates that symmetry keeps at zero: buckling in twist and
   /// sideways. Precondition: `at(x)` is not empty.
   LeftOut left_out(std::span<const double> x) const;

@@ -389,13 +389,22 @@ bool Branch::refine_here() {
   return refined.has_value();
 }
 
-/// Largest error of a scaled coordinate: the finer quadrature's imbalance, mapped by H^-1.
+/// Largest error of a scaled coordinate: twice the finer quadrature's imbalance, since that one is
+/// not exact either, and what else is in doubt, mapped by H^-1; and the rounding of the coordinate
+/// itself.
 double Branch::error_at(const BranchPoint& x, const BalanceAt& balance) const {
   const auto finer = balance_.finer_at(x);
   if (!finer) return std::numeric_limits<double>::infinity();
   const Matrix stiffness = Map<const Eigen::MatrixXd>(balance.stiffness.data(), n_, n_);
   const Vector imbalance = Map<const Eigen::VectorXd>(finer->imbalance.data(), n_);
-  return stiffness.partialPivLu().solve(imbalance).cwiseAbs().maxCoeff();
+  const BalanceAt::Vector doubts = balance_.doubt(x, balance);
+  const Vector doubt = Map<const Eigen::VectorXd>(doubts.data(), n_);
+  const Matrix inverse = stiffness.inverse();
+  const double error =
+      (2 * (inverse * imbalance).cwiseAbs() + inverse.cwiseAbs() * doubt).maxCoeff();
+  double largest = 1;
+  for (int i = 0; i < n_; ++i) largest = std::max(largest, 1 + std::abs(x[i]));
+  return error + largest * std::numeric_limits<double>::epsilon();
 }
 
 /// Refines the quadrature until the state here is good to `goal`, or rounding lets it get no

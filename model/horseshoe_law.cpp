@@ -88,7 +88,7 @@ std::optional<HorseshoeState> HorseshoeLaw::at(double strain) const {
   const std::optional<ArcLaw::State> state = arc_law_.at(strain);
   if (!state) return {};
   return HorseshoeState{energy_unit_nmm_ * state->energy, force_unit_n_ * state->force,
-                        force_unit_n_ * state->slope};
+                        force_unit_n_ * state->slope, state->error};
 }
 
 std::vector<std::shared_ptr<const HorseshoeLaw>> horseshoe_laws(

@@ -38,6 +38,7 @@ struct HorseshoeState {
   double energy_nmm = 0;  ///< stored by the arc, 0 at rest
   double force_n = 0;     ///< along the chord at each end, positive when pulled; d energy/d chord
   double slope_n = 0;     ///< d force/d strain
+  double error = 0;       ///< of the force, relative: the largest found near this strain
 };
 
 /// The shape is outside of what the law is made for (arc 20 to 300 degrees, w/R_h 1e-3 to 100,

@@ -44,8 +44,9 @@ struct State {
   double force_n = 0;              ///< dPi/dlambda, applied by the mounting; 0 when stretch is free
   double residual = 0;             ///< largest scaled entry of the free gradient, in units of
                                    ///< G A + |P| pi R_i^2
-  double error_estimate = 0;       ///< largest error of a scaled coordinate: the gradient under a
-                                   ///< finer quadrature, Newton residual included, mapped by H^-1
+  double error_estimate = 0;       ///< largest error of a scaled coordinate: twice the gradient
+                                   ///< under a finer quadrature, Newton residual included, and what
+                                   ///< interpolated laws and rounding add, mapped by H^-1
   double smallest_eigenvalue = 0;  ///< of the scaled free Hessian, in units of G A
   bool stable = false;             ///< smallest_eigenvalue > 0
   double time_us = 0;              ///< solver time since the previous state

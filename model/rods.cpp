@@ -19,6 +19,7 @@ struct Pull {
   double energy_n = 0;  // integral of the force over the strain
   double force_n = 0;
   double slope_n = 0;
+  double error_n = 0;  // of the force, its laws being interpolated
 };
 
 std::optional<Pull> pull(const EffectiveRod& rod, double strain) {
@@ -30,6 +31,7 @@ std::optional<Pull> pull(const EffectiveRod& rod, double strain) {
     sum.energy_n += count * arc->energy_nmm / rest_chord_mm(law->shape());
     sum.force_n += count * arc->force_n;
     sum.slope_n += count * arc->slope_n;
+    sum.error_n += count * arc->error * std::abs(arc->force_n);
   }
   return sum;
 }
@@ -41,6 +43,7 @@ struct Balanced {
   double stretch_stretch = 0;
   double stretch_bend = 0;
   double bend_bend = 0;
+  double error_n = 0;  // of either entry of the gradient
 };
 
 /// E_s pi (R_m^4 - R_i^4)/4 as it stands in the second equation, by kappa R_m.
@@ -63,7 +66,8 @@ std::optional<Balanced> balance(const Rods& rods, const RodsLoad& load, double s
                    bending * bend + above->force_n - below->force_n - moment},
                   axial + above->slope_n + below->slope_n,
                   above->slope_n - below->slope_n,
-                  bending + above->slope_n + below->slope_n};
+                  bending + above->slope_n + below->slope_n,
+                  above->error_n + below->error_n};
 }
 
 /// H^-1 b over the coordinates that are not held.
@@ -75,6 +79,16 @@ std::array<double, 2> solved(const Balanced& at, const RodsLoad& load,
   const double determinant = at.stretch_stretch * at.bend_bend - at.stretch_bend * at.stretch_bend;
   return {(b[0] * at.bend_bend - b[1] * at.stretch_bend) / determinant,
           (b[1] * at.stretch_stretch - b[0] * at.stretch_bend) / determinant};
+}
+
+/// What interpolated laws and rounding may do to e0 and kappa R_m, whatever their signs.
+double error_of(const Balanced& at, const RodsLoad& load, double push) {
+  const double doubt = at.error_n + 4 * std::numeric_limits<double>::epsilon() * std::abs(push);
+  double largest = 0;
+  for (const std::array<double, 2>& side : {std::array{doubt, doubt}, std::array{doubt, -doubt}}) {
+    for (const double x : solved(at, load, side)) largest = std::max(largest, std::abs(x));
+  }
+  return largest;
 }
 
 double smallest_eigenvalue(const Balanced& at, const RodsLoad& load, double unit) {
@@ -187,6 +201,8 @@ std::optional<RodsState> rods_equilibrium(const Rods& rods, const RodsLoad& load
   if (!converged) return std::nullopt;
   const double unit = rods.axial_stiffness_n();
   state.elongation = stretch;
+  state.error += error_of(at, load, load.pressure_mpa * rods.bore_area_mm2()) +
+                 std::numeric_limits<double>::epsilon() * (1 + std::abs(stretch));
   state.bend_rad_per_mm = bend / rods.liner_outer_radius_mm;
   if (load.hold_stretch) state.force_n = at.gradient[0];
   if (load.hold_bend) state.moment_nmm = at.gradient[1] * rods.arm_mm;

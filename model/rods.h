@@ -54,7 +54,8 @@ struct RodsState {
   double force_n = 0;                  ///< that the mounting applies
   double moment_nmm = 0;               ///< that the mounting applies
   double residual = 0;                 ///< of the axial balance, over the liner's stiffness
-  double error = 0;                    ///< last Newton step, scaled by 1 and R_o
+  double error = 0;                    ///< of e0 and kappa R_m: last Newton step, interpolated
+                                       ///< laws, rounding
   double smallest_eigenvalue = 0;      ///< of the scaled stiffness, over the liner's
   double elongation_per_mpa = 0;       ///< d e0/dP
   double bend_rad_per_mm_per_mpa = 0;  ///< d kappa/dP

@@ -156,6 +156,12 @@ std::optional<SectionEnergy> stored_energy(const Section& section, const Quadrat
 std::optional<SectionEnergy> stored_energy(const Section& section, const Quadrature& quadrature,
                                            const Deformation& at, std::span<const int> active);
 
+/// How far the gradient may be off because the horseshoe laws are interpolated: the sum of their
+/// errors over all strands, as if none cancelled another. Zero without horseshoes.
+/// Precondition: stored_energy is not empty at this deformation.
+std::array<double, coordinate_count> law_error(const Section& section, const Quadrature& quadrature,
+                                               const Deformation& at);
+
 /// Growth of the cavity per reference length, pi (a^2 lambda - R_i^2) in mm^2, with derivatives:
 /// what the pressure works on.
 SectionEnergy cavity_growth(const Section& section, const Deformation& at);

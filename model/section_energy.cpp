@@ -328,6 +328,30 @@ std::optional<SectionEnergy> stored_energy(const Section& section, const Quadrat
   return stored_energy(section, quadrature, at, all);
 }
 
+std::array<double, coordinate_count> law_error(const Section& section, const Quadrature& quadrature,
+                                               const Deformation& at) {
+  std::array<double, coordinate_count> error{};
+  const std::array<double, 5> values = numbers(at);
+  std::array<SectionEnergy, 5> variables;
+  for (std::size_t i = 0; i < 5; ++i) variables[i] = SectionEnergy::variable(i, values[i]);
+  const auto q = kinematics(section, variables);
+  for (const StrandFamily& family : section.families) {
+    if (family.arcs_per_mm == 0) continue;
+    const AtRadius<true, SectionEnergy> ring(q, mid_radius_mm(section));
+    for_each_place<true>(family, quadrature, [&](const HorseshoeLaw& law, const Direction& place) {
+      const SectionEnergy e = ring.elongation(q, place.cosine, place.sine);
+      const SectionEnergy strain =
+          stretch_minus_1(square_stretch_minus_1(family, q, ring, e * (e + 2.0)));
+      const HorseshoeState arc = law.at(strain.value).value_or(HorseshoeState{});
+      const double work = std::abs(arc.force_n) * arc.error * rest_chord_mm(law.shape());
+      for (int i = 0; i < coordinate_count; ++i) {
+        error[i] += family.arcs_per_mm * place.weight * work * std::abs(strain.gradient[i]);
+      }
+    });
+  }
+  return error;
+}
+
 SectionEnergy cavity_growth(const Section& section, const Deformation& at) {
   const double radius = section.inner_radius_mm;
   const double stretch = 1 + at.elongation;

@@ -9,76 +9,11 @@
 #include <gtest/gtest.h>
 
 #include "model/response.h"
+#include "tests/unit/model/random_examples.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {
 namespace {
-
-struct Example {
-  Segment segment;
-  ModelChoice model;
-  Held held;
-  std::vector<double> pressures_kpa;
-};
-
-Law random_rubber(Random& random, double mu) {
-  switch (random.integer(0, 2)) {
-    case 0:
-      return NeoHookean{mu};
-    case 1:
-      return Yeoh{mu / 2, mu * random.between(-0.02, 0.1), mu * random.between(0, 0.02)};
-    default:
-      return Gent{mu, random.log_between(2, 200)};
-  }
-}
-
-Lattice random_lattice(Random& random, const Segment& segment, double modulus) {
-  const double middle = segment.liner_outer_radius_mm();
-  Lattice lattice;
-  lattice.thickness_mm = middle * random.log_between(1e-3, 0.5);
-  lattice.material.law = Linear{modulus, 0.5};
-  if (random.chance(0.7)) {
-    const double width = random.between(0.5, 3);
-    const int most = static_cast<int>(0.9 * segment.length_mm / width);
-    lattice.rings = Rings{random.integer(2, most), std::nullopt, width};
-  }
-  const int families = random.integer(0, 3);
-  for (int i = 0; i < families; ++i) {
-    const double angle = random.between(0.5, 179.5);
-    const int count = std::max(2, random.integer(1, 20));  // a single strand would bend
-    const double room = 2 * pi * (middle + 0.5 * lattice.thickness_mm) * std::sin(angle * degree);
-    lattice.grids.push_back(grid(angle, count, room / count * random.between(0.02, 0.9)));
-  }
-  return lattice;
-}
-
-/// Wall ratios 0.05 to 0.999, E/mu 1e-3 to 1e7, angles 0.5 to 179.5 degrees; pressures up to
-/// several times what the liner alone can take, or up to strains of order 0.1 of the lattice.
-Example random_example(Random& random) {
-  Example example;
-  const double outer = random.log_between(1, 50);
-  const double ratio =
-      random.chance(0.3) ? 1 - random.log_between(1e-3, 0.2) : random.between(0.05, 0.999);
-  const double mu = random.log_between(1e-3, 10);
-  const double modulus = mu * random.log_between(1e-3, 1e7);
-  example.segment = tube(outer * ratio, outer, random_rubber(random, mu));
-  example.segment.length_mm = random.between(20, 300);
-  double pressure = mu * (1 - ratio) * random.log_between(0.01, 3);
-  if (random.chance(0.9)) {
-    example.segment.lattice = random_lattice(random, example.segment, modulus);
-    if (random.chance(0.4)) {
-      pressure += modulus * 0.1 * random.log_between(1e-3, 1) *
-                  example.segment.lattice->thickness_mm / outer;
-    }
-  }
-  example.model.wall = random.chance(0.15) ? WallKind::mixture : WallKind::layered;
-  example.model.joint = static_cast<JointModel>(random.integer(0, 2));
-  example.held = {random.chance(0.2), random.chance(0.2)};
-  const int count = random.integer(1, 13);
-  for (int i = 1; i <= count; ++i) example.pressures_kpa.push_back(1000 * pressure * i / count);
-  if (random.chance(0.4)) example.pressures_kpa.push_back(-300 * pressure);
-  return example;
-}
 
 using Vector = std::array<double, 3>;
 using Matrix = std::array<Vector, 3>;
@@ -105,12 +40,13 @@ Vector solve(Matrix a, Vector b) {
   return b;
 }
 
-/// The Newton step that a state still lacks under 64-point quadrature, in scaled coordinates.
-double missing_step(const Example& example, const State& state) {
+/// The Newton step that a state still lacks under a quadrature of so many points, in scaled
+/// coordinates.
+double missing_step(const RandomExample& example, const State& state, int points) {
   const Section section = prepare_section(example.segment, example.model);
   const Deformation q = state.deformation(section.inner_radius_mm);
   const auto energy =
-      stored_energy(section, make_quadrature(section, 64, 64), q, std::array{0, 1, 2});
+      stored_energy(section, make_quadrature(section, points, points), q, std::array{0, 1, 2});
   if (!energy) return std::numeric_limits<double>::infinity();
   const SectionEnergy cavity = cavity_growth(section, q);
   const Vector scale = {1, 1 / section.outer_radius_mm, section.inner_radius_mm};
@@ -138,12 +74,16 @@ double scaled_difference(const Segment& segment, const State& a, const State& b)
                    std::abs(a.inner_radius_mm - b.inner_radius_mm) / segment.inner_radius_mm()});
 }
 
-void expect_verified(const Example& example, const State& state) {
+void expect_verified(const RandomExample& example, const State& state) {
   // A stretch of 1 + 1e-16 cannot be told from 1: with a stiff lattice its rounding alone is a
   // force.
   const double rounding =
       1e-15 * std::max(1.0, state.inner_radius_mm / example.segment.inner_radius_mm());
-  EXPECT_LE(missing_step(example, state), std::max(1e-9, 3 * state.error_estimate) + rounding);
+  const double promised = std::max(1e-9, 3 * state.error_estimate) + rounding;
+  // A bore that has nearly closed, or a rubber near its limit, is seen sharply by many points only.
+  if (missing_step(example, state, 64) > promised) {
+    EXPECT_LE(missing_step(example, state, 1000), promised);
+  }
   EXPECT_EQ(state.stable, state.smallest_eigenvalue > 0);
   EXPECT_GT(state.stretch, 0);
   EXPECT_GT(state.inner_radius_mm, 0);
@@ -170,7 +110,7 @@ TEST(RandomDesigns, EveryStateIsVerifiedOrItsAbsenceExplained) {
   int states = 0;
   int missing = 0;
   for (int i = 0; i < 1500; ++i) {
-    const Example example = random_example(random);
+    const RandomExample example = random_straight_example(random);
     const Response response =
         predict(example.segment, example.model, example.pressures_kpa, example.held);
     for (std::size_t j = 0; j < response.states.size(); ++j) {
@@ -194,7 +134,7 @@ TEST(RandomDesigns, OneByOneIsTheSameAsTogether) {
   std::printf("seed %u\n", seed);
   Random random(seed);
   for (int i = 0; i < 300; ++i) {
-    const Example example = random_example(random);
+    const RandomExample example = random_straight_example(random);
     const Response together =
         predict(example.segment, example.model, example.pressures_kpa, example.held);
     for (std::size_t j = 0; j < together.states.size(); ++j) {
@@ -217,7 +157,7 @@ TEST(RandomDesigns, LongStepsStayOnTheBranchOfShortOnes) {
   std::printf("seed %u\n", seed);
   Random random(seed);
   for (int i = 0; i < 500; ++i) {
-    const Example example = random_example(random);
+    const RandomExample example = random_straight_example(random);
     const double end = example.pressures_kpa.back();
     std::vector<double> fine;
     for (int j = 1; j <= 100; ++j) fine.push_back(end * j / 100);
@@ -242,7 +182,7 @@ TEST(RandomDesigns, ErrorEstimateIsTrue) {
   double least = 1e300;
   double most = 0;
   for (int i = 0; compared < 100; ++i) {
-    Example example = random_example(random);
+    RandomExample example = random_straight_example(random);
     SolverOptions coarse;
     coarse.fixed_quadrature = random.integer(2, 6);
     SolverOptions fine;
@@ -261,8 +201,8 @@ TEST(RandomDesigns, ErrorEstimateIsTrue) {
     most = std::max(most, estimate / truth);
   }
   std::printf("estimate / true error of %d designs: %.3f to %.3f\n", compared, least, most);
-  EXPECT_GT(least, 0.3);
-  EXPECT_LT(most, 3);
+  EXPECT_GT(least, 0.9);
+  EXPECT_LT(most, 6);
 }
 
 TEST(RandomDesigns, AdaptiveQuadratureKeepsItsPromise) {
@@ -270,7 +210,7 @@ TEST(RandomDesigns, AdaptiveQuadratureKeepsItsPromise) {
   std::printf("seed %u\n", seed);
   Random random(seed);
   for (int i = 0; i < 100; ++i) {
-    const Example example = random_example(random);
+    const RandomExample example = random_straight_example(random);
     SolverOptions fine;
     fine.fixed_quadrature = 64;
     const auto found = predict(example.segment, example.model, example.pressures_kpa, example.held);
