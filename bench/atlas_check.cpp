@@ -86,29 +86,35 @@ Finding judge_state(const PlainPath& path, const State& state) {
   return verified(state.stable ? "stable" : "unstable");
 }
 
+/// Along the direction in which the stiffness is least, it passes through zero there.
+bool turns_there(const PlainPath& path, const ScaledState& x, double pressure,
+                 const PlainPath::Stiffness& at) {
+  for (const double step : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
+    ScaledState ahead = x;
+    ScaledState behind = x;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      ahead[i] += step * size(x) * at.nearest[i];
+      behind[i] -= step * size(x) * at.nearest[i];
+    }
+    const auto after = path.curvature(ahead, pressure, at.nearest);
+    const auto before = path.curvature(behind, pressure, at.nearest);
+    if (!after || !before || *after * *before >= 0) continue;
+    if (std::abs(at.nearest_value) < 0.3 * std::min(std::abs(*after), std::abs(*before)))
+      return true;
+  }
+  return false;
+}
+
 Finding judge_turning_back(const PlainPath& path, const LimitPoint& limit) {
   const double pressure = limit.pressure_kpa / kpa_per_mpa;
   const ScaledState x = path.scaled(limit.state);
   const auto at = path.stiffness(x, pressure);
   if (!at) return wrong("limit point cannot exist");
-  if (std::abs(at->nearest_value) > 1e-6) {
+  if (!turns_there(path, x, pressure, *at)) {
     return wrong("limit point", numbers("eigenvalue %g there", at->nearest_value, 0));
   }
-  std::array<double, 2> beside{};
-  for (const int side : {0, 1}) {
-    ScaledState moved = x;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      moved[i] += (side == 0 ? -1e-3 : 1e-3) * size(x) * at->nearest[i];
-    }
-    const auto there = path.stiffness(moved, pressure);
-    if (!there) return wrong("limit point", "no stiffness beside it");
-    beside[side] = there->nearest_value;
-  }
-  if (!(beside[0] * beside[1] < 0)) {
-    return wrong("limit point", numbers("eigenvalues %g, %g beside it", beside[0], beside[1]));
-  }
   const PlainPath::End before = path.follow_to(pressure * (1 - 1e-4));
-  if (!before.arrived || distance(before.x, x) > 0.3 * size(x)) {
+  if (!before.arrived || distance(before.x, x) > 0.6 * size(x)) {
     return wrong("limit point", numbers("load stepping ends at %g kPa, not at %g; apart by %g",
                                         before.pressure_mpa * kpa_per_mpa, limit.pressure_kpa,
                                         distance(before.x, x)));
@@ -175,9 +181,8 @@ Finding judge(const PlainPath& path, const Section& section, const Response& res
 }
 
 /// Both balances of model/rods.h, each against its liner's share, put to the columns one by one.
-Finding judge_rods_state(const Segment& segment, Held held, const State& state) {
+Finding judge_rods_state(const Rods& rods, Held held, const State& state) {
   if (!is_finite(state)) return wrong("not a number");
-  const Rods rods = prepare_rods(segment);
   const double e0 = state.stretch - 1;
   const double bend = state.bend_rad_per_mm[1] * rods.liner_outer_radius_mm;
   std::array<double, 2> force{};
@@ -209,7 +214,7 @@ Finding judge_rods_state(const Segment& segment, Held held, const State& state) 
 }
 
 /// The last pressure with a state must have a column at its law's end, or a wall without length.
-Finding judge_rods_refusal(const Segment& segment, const AtlasDesign& design, double pressure_kpa,
+Finding judge_rods_refusal(const PreparedSegment& segment, Held held, double pressure_kpa,
                            const std::string& message) {
   if (message.empty()) return wrong("no reason");
   double low = 0;
@@ -217,13 +222,13 @@ Finding judge_rods_refusal(const Segment& segment, const AtlasDesign& design, do
   for (int i = 0; i < 50; ++i) {
     const double middle = 0.5 * (low + high);
     const double pressure = middle * pressure_kpa;
-    const Response response = predict(segment, design.model, std::span(&pressure, 1), design.held);
+    const Response response = predict(segment, std::span(&pressure, 1), held);
     (response.states[0] ? low : high) = middle;
   }
   const double last = low * pressure_kpa;
-  const Response response = predict(segment, design.model, std::span(&last, 1), design.held);
+  const Response response = predict(segment, std::span(&last, 1), held);
   const double e0 = response.states[0]->stretch - 1;
-  const Rods rods = prepare_rods(segment);
+  const Rods& rods = std::get<Rods>(segment.section);
   const double bend = response.states[0]->bend_rad_per_mm[1] * rods.liner_outer_radius_mm;
   for (const int half : {0, 1}) {
     const double strain = half == 0 ? e0 + bend : e0 - bend;
@@ -260,11 +265,11 @@ std::vector<Finding> examine(const AtlasDesign& design) {
     return all(design, wrong("exception", reason.what()));
   }
   std::vector<Finding> findings;
-  if (std::holds_alternative<Rods>(prepared->section)) {
+  if (const auto* rods = std::get_if<Rods>(&prepared->section)) {
     for (std::size_t i = 0; i < response.states.size(); ++i) {
       findings.push_back(response.states[i]
-                             ? judge_rods_state(design.segment, design.held, *response.states[i])
-                             : judge_rods_refusal(design.segment, design, design.pressures_kpa[i],
+                             ? judge_rods_state(*rods, design.held, *response.states[i])
+                             : judge_rods_refusal(*prepared, design.held, design.pressures_kpa[i],
                                                   response.message));
     }
     return findings;

@@ -43,27 +43,43 @@ class PlainPath {
   };
   std::optional<Stiffness> stiffness(const ScaledState& x, double pressure_mpa) const;
 
+  /// v.H v in the stepped coordinates, the quadrature as in `stiffness`.
+  std::optional<double> curvature(const ScaledState& x, double pressure_mpa,
+                                  const ScaledState& v) const;
+
   ScaledState scaled(const State& state) const;
 
  private:
+  struct Points {
+    int radial;
+    int lattice;
+    int around;
+  };
   struct Step {
     ScaledState x{};
     bool done = false;
   };
   Deformation deformation(const ScaledState& x) const;
   std::optional<ScaledState> newton_step(const ScaledState& x, double pressure_mpa,
-                                         const Quadrature& quadrature) const;
-  std::optional<ScaledState> speed(const ScaledState& x, double pressure_mpa) const;
-  Step corrected(const ScaledState& start, double pressure_mpa, double allowed) const;
+                                         const Points& count) const;
+  struct Rate {
+    ScaledState by_pressure{};
+    int negative = 0;  ///< eigenvalues of the stepped stiffness
+  };
+  std::optional<Rate> rate(const ScaledState& x, double pressure_mpa, const Points& count) const;
+  Step corrected(const ScaledState& start, double pressure_mpa, double allowed,
+                 const Points& count) const;
 
   Section section_;
   std::vector<int> free_;     // of all five, those not held
   std::vector<int> stepped_;  // of these, those followed
   ScaledState scale_{};
   double energy_ = 1;
-  Quadrature coarse_;
-  Quadrature fine_;
-  Quadrature around_;
+  static const Points finest;
+  static const Points middling;
+  End polished(End end) const;
+  Quadrature points(const Points& count, const ScaledState& x) const;
+  End follow_to(double pressure_mpa, const Points& count) const;
 };
 
 }  // namespace latticast
