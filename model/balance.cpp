@@ -13,6 +13,7 @@ namespace {
 
 constexpr int most_points = 400;  // a bore that has nearly closed needs them
 constexpr int first_around = 8;
+constexpr int points_in_panel = 14;
 
 /// The next rule in line: what a rule is refined to, and what its error is measured with.
 int more_points(int points) {
@@ -89,6 +90,13 @@ std::optional<BalanceAt> Balance::finer_at(std::span<const double> x) const {
 }
 
 bool Balance::refine(std::span<const double> x) {
+  const int panels = points_fixed_ ? 1 : bore_panels_for(section_, deformation(x));
+  if (panels > panels_) {
+    // One more, so that the next steps of a closing bore find theirs.
+    panels_ = panels + 1;
+    set_points(points_in_panel, std::max(points_in_panel, lattice_points_), around_);
+    return true;
+  }
   if (points_fixed_ || std::max({liner_points_, lattice_points_, around_}) >= most_points) {
     return false;
   }
@@ -115,7 +123,8 @@ Quadrature Balance::quadrature(int liner, int lattice, int around) const {
   const bool bends_any_way =
       std::find(active_.begin(), active_.end(), coordinate::bend_2) != active_.end();
   // As fine on a whole turn as `around` intervals on its half.
-  Quadrature result = make_quadrature(section_, liner, lattice, bends_any_way ? 2 * around : 1);
+  Quadrature result =
+      make_quadrature(section_, liner, lattice, bends_any_way ? 2 * around : 1, panels_);
   if (!bends_any_way) result.around = half_turn(around);
   return result;
 }

@@ -60,7 +60,8 @@ class Balance {
   LeftOut left_out(std::span<const double> x) const;
 
   /// Takes more quadrature points, in R or around the tube or both, wherever the imbalance at `x`
-  /// is not yet good; false when there are as many as there may be.
+  /// is not yet good, and panels toward a bore that is nearly closed; false when there are as many
+  /// as there may be.
   bool refine(std::span<const double> x);
 
   Deformation deformation(std::span<const double> x) const;
@@ -91,6 +92,7 @@ class Balance {
   int liner_points_ = 0;
   int lattice_points_ = 0;
   int around_ = 0;  // directions, or intervals on half a turn
+  int panels_ = 1;  // toward the bore
   Quadrature quadrature_;
   Quadrature finer_;
   Quadrature for_left_out_;

@@ -28,6 +28,8 @@ constexpr double closed_bore = -0.999;          // a/R_i - 1, always the last fr
 constexpr double wanted_turning = 0.08;    // correction against step that a step is chosen for ...
 constexpr double greatest_turning = 0.15;  // ... and beyond which it does not count
 constexpr double least_alignment = 0.95;   // cosine between successive tangents
+constexpr double law_end = 1e-6;  // room in a horseshoe's law, relative, that counts as none
+constexpr int limit_checks = 8;   // parts of the way to a limit point
 
 double dot(const BranchPoint& a, const BranchPoint& b) {
   double sum = 0;
@@ -83,6 +85,15 @@ BranchPoint tangent_at(const BalanceAt& balance, const BranchPoint& guide, int n
   BranchPoint tangent{};
   std::copy(direction.begin(), direction.end(), tangent.begin());
   return tangent;
+}
+
+/// What is left of a horseshoe's law on the way to its nearer end: 1 at rest, 0 there, and below 0
+/// past it. Empty without horseshoes, or where the state cannot exist.
+std::optional<double> room_in_laws(const Balance& balance, const BranchPoint& x) {
+  const auto horseshoe = most_strained_horseshoe(balance.section(), balance.deformation(x));
+  if (!horseshoe) return std::nullopt;
+  const StrainRange& range = horseshoe->range;
+  return std::min(1 - horseshoe->strain / range.lowest, 1 - horseshoe->strain / range.highest);
 }
 
 /// Whether the pressure between two states may turn back and forth again.
@@ -196,7 +207,7 @@ Reached Branch::advance_to(double pressure_mpa) {
     const Reached reached = follow_to(target, sign);
     // Close to a rubber's stretch limit a coarse quadrature loses its solution before a fine one
     // does.
-    if (reached != Reached::lost || !refine_here()) return reached;
+    if (reached != Reached::lost || at_law_end() || !refine_here()) return reached;
     reach_ = first_reach;
   }
 }
@@ -204,6 +215,8 @@ Reached Branch::advance_to(double pressure_mpa) {
 Reached Branch::follow_to(double target, double sign) {
   const auto beyond_target = [&](double pressure) { return (pressure - target) * sign > 0; };
   for (int count = 0; count < options_.most_steps && reach_ > smallest_reach; ++count) {
+    if (at_law_end()) return Reached::lost;
+    reach_ = within_laws(reach_);
     const double to_target = (target - here_.x[n_]) / here_.tangent[n_];
     const bool landing = to_target <= reach_;
     const double length = landing ? to_target : reach_;
@@ -259,6 +272,21 @@ bool Branch::at_end(double target, double sign) const {
   return last.kind != LimitKind::bifurcation && (last.x[n_] - target) * sign <= 0;
 }
 
+/// Whether a horseshoe is where its law ends: nothing can be followed from there.
+bool Branch::at_law_end() const {
+  const auto room = room_in_laws(balance_, here_.x);
+  return room && *room < law_end;
+}
+
+/// A step that would take a horseshoe past its law's end is shortened to nine tenths of the way
+/// there: a few such steps come to the end, where halving would take dozens.
+double Branch::within_laws(double length) const {
+  const auto here = room_in_laws(balance_, here_.x);
+  if (!here) return length;
+  const auto there = room_in_laws(balance_, ahead(length));
+  return there && *there < 0 ? length * 0.9 * *here / (*here - *there) : length;
+}
+
 double Branch::largest_growth() const {
   double growth = 0;
   for (int i = 0; i < n_; ++i) growth = std::max(growth, std::abs(here_.x[i]));
@@ -302,9 +330,25 @@ std::optional<CriticalPoint> Branch::limit_point_before(const BranchState& beyon
         distance(found->x, beyond.x) > 1.1 * step) {
       return std::nullopt;
     }
-    if (found->pressure_error <= options_.error_goal || !balance_.refine(found->x)) return found;
+    if (found->pressure_error <= options_.error_goal || !balance_.refine(found->x)) {
+      return is_connected(found->x) ? found : std::nullopt;
+    }
     guess = found->x;
   }
+}
+
+/// Whether the branch runs along the chord from here to a limit point. Where stiff strands lock, it
+/// may leave the chord for much higher pressures, with a limit point of another branch behind.
+bool Branch::is_connected(const BranchPoint& limit) {
+  const double length = distance(limit, here_.x);
+  BranchPoint chord{};
+  for (int i = 0; i <= n_; ++i) chord[i] = (limit[i] - here_.x[i]) / length;
+  for (int i = 1; i < limit_checks; ++i) {
+    const BranchPoint start = between(here_.x, limit, static_cast<double>(i) / limit_checks);
+    const auto state = corrected(start, chord);
+    if (!state || distance(state->x, start) > greatest_turning * length) return false;
+  }
+  return true;
 }
 
 /// The pressure at which an eigenvalue changes sign without the branch turning back, by the secant

@@ -68,6 +68,9 @@ class Branch {
   BranchPoint at_pressure(double pressure, BranchPoint x) const;
   Reached follow_to(double target, double sign);
   bool at_end(double target, double sign) const;
+  bool at_law_end() const;
+  double within_laws(double length) const;
+  bool is_connected(const BranchPoint& limit);
   Reached end_at(const CriticalPoint& end);
   double largest_growth() const;
   CriticalPoint asymptote_here() const;

@@ -81,6 +81,11 @@ std::string reason_of_loss(const Balance& balance, const BranchState& here) {
                   horseshoe->strain, horseshoe->range.lowest, horseshoe->range.highest);
     return text;
   }
+  const double lift = std::hypot(q.bend_1, q.bend_2) *
+                      current_radius_mm(section.inner_radius_mm, section.outer_radius_mm, q);
+  if (1 + q.elongation - lift < 0.02) {
+    return ": bending has brought the wall's inner side to zero length there";
+  }
   if (std::abs(here.nearest_eigenvalue) < 0.01) {
     return ": the section is on the verge of instability there";
   }

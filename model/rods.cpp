@@ -172,7 +172,9 @@ HorseshoeLaws laws_of(const Rods& rods) {
   return laws;
 }
 
-std::optional<RodsState> rods_equilibrium(const Rods& rods, const RodsLoad& load) {
+std::optional<RodsState> rods_equilibrium(const Rods& rods, const RodsLoad& load,
+                                          RodsRefusal* why) {
+  if (why != nullptr) *why = RodsRefusal::law_range;
   double stretch = 0;
   double bend = 0;
   Balanced at = *balance(rods, load, 0, 0);
@@ -199,6 +201,10 @@ std::optional<RodsState> rods_equilibrium(const Rods& rods, const RodsLoad& load
     state.error = size;
   }
   if (!converged) return std::nullopt;
+  if (!(1 + stretch - std::abs(bend) * rods.outer_radius_mm / rods.liner_outer_radius_mm > 0)) {
+    if (why != nullptr) *why = RodsRefusal::no_length;
+    return std::nullopt;
+  }
   const double unit = rods.axial_stiffness_n();
   state.elongation = stretch;
   state.error += error_of(at, load, load.pressure_mpa * rods.bore_area_mm2()) +

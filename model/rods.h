@@ -47,6 +47,9 @@ struct RodsLoad {
   bool hold_bend = false;
 };
 
+/// Why there is no equilibrium.
+enum class RodsRefusal { law_range, no_length };
+
 /// One equilibrium.
 struct RodsState {
   double elongation = 0;               ///< e0
@@ -75,7 +78,10 @@ HorseshoeLaws laws_of(const Rods& rods);
 ///     M              = E_s kappa pi (R_m^4 - R_i^4)/4 + (f_+ - f_-) arm,   f at e0 +- kappa R_m
 /// With the second one times R_m/arm, they are the gradient of a convex function, the laws'
 /// slopes being positive: there is one solution at most, and damped Newton steps find it. Empty
-/// where a horseshoe would leave its law's range.
-std::optional<RodsState> rods_equilibrium(const Rods& rods, const RodsLoad& load);
+/// where a horseshoe would leave its law's range, or where a side of the wall would be left without
+/// length (1 + e0 - |kappa| R_o <= 0, which a linear liner does not know of); `why` then says
+/// which.
+std::optional<RodsState> rods_equilibrium(const Rods& rods, const RodsLoad& load,
+                                          RodsRefusal* why = nullptr);
 
 }  // namespace latticast

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <string>
 
 #include "model/turning_name.h"
 
@@ -14,8 +15,16 @@ constexpr double kpa_per_mpa = 1000;
 constexpr int scan_steps = 64;
 constexpr int most_halvings = 60;
 
-std::optional<RodsState> at_pressure(const Rods& rods, double pressure_kpa, Held held) {
-  return rods_equilibrium(rods, {pressure_kpa / kpa_per_mpa, 0, 0, held.stretch, held.bend});
+std::optional<RodsState> at_pressure(const Rods& rods, double pressure_kpa, Held held,
+                                     RodsRefusal* why = nullptr) {
+  return rods_equilibrium(rods, {pressure_kpa / kpa_per_mpa, 0, 0, held.stretch, held.bend}, why);
+}
+
+std::string refusal_text(double pressure_kpa, RodsRefusal why) {
+  return "at " + pressure_text(pressure_kpa) +
+         (why == RodsRefusal::law_range
+              ? " a horseshoe column would leave its law's range of strain"
+              : " a side of the wall would be compressed to no length at all");
 }
 
 State state_of(const Rods& rods, const RodsState& found, double pressure_kpa) {
@@ -79,12 +88,12 @@ void predict_rods(const Rods& rods, double length_mm, std::span<const double> pr
   double lowest = 0;
   double highest = 0;
   for (std::size_t i = 0; i < pressures_kpa.size(); ++i) {
-    const auto found = at_pressure(rods, pressures_kpa[i], held);
+    RodsRefusal why{};
+    const auto found = at_pressure(rods, pressures_kpa[i], held, &why);
     if (!found) {
       if (response.status != Status::ok) continue;
       response.status = Status::not_converged;
-      response.message = "at " + pressure_text(pressures_kpa[i]) +
-                         " a horseshoe column would leave its law's range of strain";
+      response.message = refusal_text(pressures_kpa[i], why);
       continue;
     }
     lowest = std::min(lowest, pressures_kpa[i]);

@@ -18,6 +18,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double mixture_rubber = 0.91;
 constexpr double mixture_lattice = 0.09;
+constexpr int many_strands = 128;  // as many as there are directions at most, see model/balance.cpp
+constexpr double panel_ratio = 4;  // thickness of successive panels
+constexpr int most_panels = 24;
 
 std::string grid_name(std::size_t index) {
   return "grid " + std::to_string(index);
@@ -223,7 +226,9 @@ void settle_symmetry(const Segment& segment, const ModelChoice& model, Section& 
   const bool bends = std::any_of(all.begin(), all.end(), [](const Winding& w) { return !w.even; });
   bool unpaired = false;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    section.families[i].averaged = !same_turn(all[i].turn, section.frame_turn_rad_per_mm);
+    section.families[i].averaged = model.wall == WallKind::mixture ||
+                                   !same_turn(all[i].turn, section.frame_turn_rad_per_mm) ||
+                                   (all[i].even && all[i].grid->count() >= many_strands);
     if (!all[i].even && section.families[i].cosine != 0) unpaired = true;
   }
   section.twists = unpaired || has_handedness(section.families);
@@ -231,8 +236,10 @@ void settle_symmetry(const Segment& segment, const ModelChoice& model, Section& 
   // Also where strands are tilted: turned over about that axis, the section is the same again.
   section.bending_axes = !bends ? 0 : (axis ? 1 : 2);
   section.axis_rad = section.bending_axes == 1 ? *axis : 0;
-  section.isotropic = std::none_of(
-      all.begin(), all.end(), [](const Winding& w) { return !w.even || w.grid->count() == 2; });
+  section.isotropic =
+      model.wall == WallKind::mixture || std::none_of(all.begin(), all.end(), [](const Winding& w) {
+        return !w.even || w.grid->count() == 2;
+      });
   for (StrandFamily& family : section.families) {
     const auto n = static_cast<double>(family.strands.size());
     for (std::size_t j = 0; j < family.strands.size(); ++j) {
@@ -313,11 +320,36 @@ HorseshoeLaws laws_of(const Section& section) {
   return laws;
 }
 
-Quadrature make_quadrature(const Section& section, int liner_points, int lattice_points,
-                           int around) {
-  return {points_between(section.isotropic_from_mm, section.isotropic_to_mm, liner_points),
-          points_between(section.anisotropic_from_mm, section.anisotropic_to_mm, lattice_points),
+Quadrature make_quadrature(const Section& section, int liner_points, int lattice_points, int around,
+                           int bore_panels) {
+  const auto points = [&](double from, double to, int count) {
+    const int panels = from == section.inner_radius_mm ? bore_panels : 1;
+    std::vector<QuadraturePoint> all;
+    double begin = from;
+    for (int i = 1; i <= panels; ++i) {
+      const double end = i == panels ? to : from + (to - from) * std::pow(panel_ratio, i - panels);
+      const std::vector<QuadraturePoint> panel = points_between(begin, end, count);
+      all.insert(all.end(), panel.begin(), panel.end());
+      begin = end;
+    }
+    return all;
+  };
+  return {points(section.isotropic_from_mm, section.isotropic_to_mm, liner_points),
+          points(section.anisotropic_from_mm, section.anisotropic_to_mm, lattice_points),
           whole_turn(around)};
+}
+
+int bore_panels_for(const Section& section, const Deformation& at) {
+  const double rest = section.inner_radius_mm;
+  const double bore = rest + at.inner_growth;
+  const double left = 1 - (1 + at.elongation) * (bore / rest) * (bore / rest);
+  if (left <= 0) return 1;
+  // R_i - sqrt(R_i^2 - lambda a^2), without the difference of nearly equal numbers.
+  const double below = rest * (1 - left) / (1 + std::sqrt(left));
+  const double share = below / (section.isotropic_to_mm - rest);
+  if (share > 0.05) return 1;
+  return std::min(most_panels,
+                  1 + static_cast<int>(std::ceil(std::log(1 / share) / std::log(panel_ratio))));
 }
 
 std::vector<Direction> half_turn(int intervals) {

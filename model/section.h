@@ -56,7 +56,9 @@ struct StrandFamily {
   double stretch_modulus_mpa = 0;  ///< summed over the strands
   double joint_modulus_mpa = 0;    ///< summed over the strands
   double arcs_per_mm = 0;  ///< horseshoe arcs of one strand per mm of tube, 1/(chord sine); else 0
-  bool averaged = false;   ///< turns against the section's frame: averaged around the tube
+  bool averaged = false;   ///< averaged around the tube: turns against the section's frame, counts
+                           ///< no strips (mixture), or has so many equal strands that their sum
+                           ///< over places is that average
   std::vector<StrandPlace> strands;
 };
 
@@ -131,9 +133,17 @@ Section prepare_section(const Segment& segment, const ModelChoice& model,
 HorseshoeLaws laws_of(const Section& section);
 
 /// Points for a section's integrals, `liner_points` >= 1 and `lattice_points` >= 1 of them in R,
-/// and `around` >= 1 directions evenly spaced around the whole tube.
+/// and `around` >= 1 directions evenly spaced around the whole tube. Integrals that begin at the
+/// bore are cut into `bore_panels` >= 1 parts, each with that many points and a quarter as thick as
+/// the next one outwards: for states whose bore is nearly closed.
 Quadrature make_quadrature(const Section& section, int liner_points, int lattice_points,
-                           int around = 24);
+                           int around = 24, int bore_panels = 1);
+
+/// Panels that a state needs. r(R) is zero where R^2 = R_i^2 - lambda a^2, and Gauss points
+/// converge slowly when that is close below R_i; the innermost panel is not thicker than that
+/// distance. 1 as long as the distance is more than a twentieth of the wall. Precondition: the
+/// state can exist.
+int bore_panels_for(const Section& section, const Deformation& at);
 
 /// Directions evenly spaced on half of the tube, from the first axis to its opposite, each
 /// standing for its mirror image as well: `intervals` >= 1 of them.

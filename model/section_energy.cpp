@@ -208,7 +208,14 @@ template <bool bent, class Visit>
 void for_each_place(const StrandFamily& family, const Quadrature& quadrature, const Visit& visit) {
   const auto count = static_cast<double>(family.strands.size());
   if (!bent) {
-    visit(*family.strands.front().law, Direction{1, 0, count});
+    // Direction does not matter: strands of one law, successive ones, are taken together.
+    for (auto first = family.strands.begin(); first != family.strands.end();) {
+      const auto last = std::find_if(first, family.strands.end(), [&](const StrandPlace& strand) {
+        return strand.law != first->law;
+      });
+      visit(*first->law, Direction{1, 0, static_cast<double>(last - first)});
+      first = last;
+    }
   } else if (family.averaged || quadrature.average_strands) {
     for (const Direction& d : quadrature.around) {
       visit(*family.strands.front().law, Direction{d.cosine, d.sine, d.weight * count});
@@ -383,7 +390,9 @@ double stretch_limit_used(const Section& section, const Deformation& at) {
 
 std::optional<HorseshoeStrain> most_strained_horseshoe(const Section& section,
                                                        const Deformation& at) {
-  if (!possible(section, at)) return std::nullopt;
+  const bool any = std::any_of(section.families.begin(), section.families.end(),
+                               [](const StrandFamily& family) { return family.arcs_per_mm > 0; });
+  if (!any || !possible(section, at)) return std::nullopt;
   const double radius = mid_radius_mm(section);
   const double current = current_radius_mm(section.inner_radius_mm, radius, at);
   std::optional<HorseshoeStrain> worst;
