@@ -11,7 +11,7 @@
 namespace latticast {
 namespace {
 
-constexpr int most_points = 400;  // a bore that has nearly closed needs them
+constexpr int most_points = 64;
 constexpr int first_around = 8;
 constexpr int points_in_panel = 14;
 
@@ -27,7 +27,7 @@ int points_for(double from, double to) {
   const double pole = (to + from) / (to - from);
   const double rho = pole + std::sqrt(pole * pole - 1);
   const int points = static_cast<int>(std::ceil(0.5 * std::log(1e12) / std::log(rho)));
-  return std::clamp(points, 3, 32);
+  return std::clamp(points, 3, most_points / 2);
 }
 
 double largest_difference(const BalanceAt::Vector& a, const BalanceAt::Vector& b) {

@@ -45,13 +45,17 @@ double true_error(const RandomExample& example, const Section& section, const St
 
 struct Comparison {
   int states = 0;
-  int below = 0;      // estimate smaller than the error
-  int far_above = 0;  // estimate over 1000 times the error
+  int below = 0;                                           // estimate smaller than the error
+  int far_above = 0;                                       // estimate over 1000 times the error
+  double least = std::numeric_limits<double>::infinity();  // estimate / error
+  double most = 0;
 
   void add(double estimate, double truth) {
     ++states;
     if (estimate < truth) ++below;
     if (estimate > 1000 * truth) ++far_above;
+    least = std::min(least, estimate / truth);
+    most = std::max(most, estimate / truth);
   }
 };
 
@@ -68,8 +72,9 @@ Comparison compare(unsigned seed, RandomExample (*random_example)(Random&)) {
     comparison.add(response.states[0]->error_estimate,
                    true_error(example, std::get<Section>(prepared.section), *response.states[0]));
   }
-  std::printf("%d states: estimate below the error in %d, above 1000 times the error in %d\n",
-              comparison.states, comparison.below, comparison.far_above);
+  std::printf(
+      "%d states: estimate below the error in %d, above 1000 times in %d; %.3g to %.3g times\n",
+      comparison.states, comparison.below, comparison.far_above, comparison.least, comparison.most);
   return comparison;
 }
 
