@@ -127,9 +127,10 @@ class Drawer {
 
   // A cross-section less than the flatness inside counts as outside: it would not hold.
   Where where(int arc, int step) const {
-    const auto [low, high] = std::minmax(edge(arc, step, false).z, edge(arc, step, true).z);
-    if (high < flatness_) return Where::below;
-    if (low > column_.length_mm - flatness_) return Where::above;
+    const double inner = edge(arc, step, false).z;
+    const double outer = edge(arc, step, true).z;
+    if (std::max(inner, outer) < flatness_) return Where::below;
+    if (std::min(inner, outer) > column_.length_mm - flatness_) return Where::above;
     return Where::inside;
   }
 
