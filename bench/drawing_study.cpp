@@ -138,8 +138,7 @@ std::string judge(const Solid& solid) {
   }
   if (result.components != solid.pieces || result.genus != solid.genus) return "wrong\ttopology";
   const double apart = std::abs(result.volume_mm3 - solid.volume_mm3);
-  // Coordinates are float32: so many digits has a volume.
-  if (!(apart <= solid.volume_bound_mm3 + 1e-6 * solid.volume_mm3)) return "wrong\tvolume";
+  if (!(apart <= solid.volume_bound_mm3)) return "wrong\tvolume";
   return "verified\tmesh";
 }
 
