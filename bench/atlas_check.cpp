@@ -86,7 +86,8 @@ Finding judge_state(const PlainPath& path, const State& state) {
   return verified(state.stable ? "stable" : "unstable");
 }
 
-/// Along the direction in which the stiffness is least, it passes through zero there.
+/// Along the direction in which the stiffness is least, it passes through zero there, so that the
+/// pressure is largest. On the curve of equilibria P'' = d(v.H v)/ds / (v.push).
 bool turns_there(const PlainPath& path, const ScaledState& x, double pressure,
                  const PlainPath::Stiffness& at) {
   for (const double step : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {
@@ -99,6 +100,7 @@ bool turns_there(const PlainPath& path, const ScaledState& x, double pressure,
     const auto after = path.curvature(ahead, pressure, at.nearest);
     const auto before = path.curvature(behind, pressure, at.nearest);
     if (!after || !before || *after * *before >= 0) continue;
+    if ((*after - *before) * at.push * pressure > 0) return false;
     if (std::abs(at.nearest_value) < 0.3 * std::min(std::abs(*after), std::abs(*before)))
       return true;
   }
@@ -119,7 +121,7 @@ Finding judge_turning_back(const PlainPath& path, const LimitPoint& limit) {
                                         before.pressure_mpa * kpa_per_mpa, limit.pressure_kpa,
                                         distance(before.x, x)));
   }
-  const PlainPath::End after = path.follow_to(pressure * (1 + 1e-3));
+  const PlainPath::End after = path.follow_to(pressure * (1 + 1e-3), false);
   if (after.arrived && distance(after.x, x) < 0.3 * size(x)) {
     return wrong("limit point", "load stepping goes on beyond it");
   }
@@ -132,7 +134,7 @@ Finding judge_end(const PlainPath& path, const LimitPoint& limit) {
   if (limit.kind == LimitKind::limit_point) return judge_turning_back(path, limit);
   const double pressure = limit.pressure_kpa / kpa_per_mpa;
   const PlainPath::End before = path.follow_to(0.99 * pressure);
-  const PlainPath::End after = path.follow_to(1.02 * pressure);
+  const PlainPath::End after = path.follow_to(1.02 * pressure, false);
   const bool closure = limit.kind == LimitKind::closure;
   const char* kind = closure ? "closure" : "asymptote";
   if (!before.arrived) {
@@ -147,7 +149,7 @@ Finding judge_end(const PlainPath& path, const LimitPoint& limit) {
 
 Finding judge_loss(const PlainPath& path, const Section& section, double pressure_kpa,
                    const std::string& message) {
-  const PlainPath::End end = path.follow_to(pressure_kpa / kpa_per_mpa);
+  const PlainPath::End end = path.follow_to(pressure_kpa / kpa_per_mpa, false);
   const std::string stepped = numbers("; load stepping comes to %g of %g kPa",
                                       end.pressure_mpa * kpa_per_mpa, pressure_kpa);
   const Deformation q{end.x[0], end.x[1] / section.outer_radius_mm,

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <random>
+
+#include "bench/dice.h"
 
 namespace latticast {
 namespace {
@@ -113,25 +114,6 @@ AtlasMap wall_map(int per_axis) {
   }
   return map;
 }
-
-/// Uniform and log-uniform numbers, the same on every platform.
-class Dice {
- public:
-  Dice(unsigned seed, int index) : engine_((std::uint64_t{seed} << 32) + index) {}
-  double between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-  }
-  double log_between(double low, double high) {
-    return std::exp(between(std::log(low), std::log(high)));
-  }
-  int integer(int low, int high) {
-    return low + static_cast<int>(between(0, 1) * (high - low + 1));
-  }
-  bool chance(double probability) { return between(0, 1) < probability; }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 Law random_rubber(Dice& dice, double mu) {
   switch (dice.integer(0, 2)) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <variant>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -59,10 +60,12 @@ const PlainPath::Points PlainPath::middling{24, 12, 24};
 PlainPath::PlainPath(const Section& section, Held held) : section_(section) {
   const std::array<bool, coordinate_count> fixed = {held.stretch, held.twist, false, held.bend,
                                                     held.bend};
+  const std::array<bool, coordinate_count> moves = {
+      true, section.twists, true, section.bending_axes > 0, section.bending_axes > 1};
   for (int i = 0; i < coordinate_count; ++i) {
     if (fixed[i]) continue;
     free_.push_back(i);
-    if (section.bending_axes > 0 || i < coordinate::bend_1) stepped_.push_back(i);
+    if (moves[i]) stepped_.push_back(i);
   }
   const double outer = section.outer_radius_mm;
   scale_ = {1, 1 / outer, section.inner_radius_mm, 1 / outer, 1 / outer};
@@ -81,18 +84,22 @@ ScaledState PlainPath::scaled(const State& state) const {
           q.bend_1 / scale_[3], q.bend_2 / scale_[4]};
 }
 
-/// Panels where the bore is nearly closed, from its own measure of how near that is.
-Quadrature PlainPath::points(const Points& count, const ScaledState& x) const {
-  const double bore = 1 + x[coordinate::inner_growth];
-  const bool closing = bore < 0.5;
-  return make_quadrature(section_, closing ? std::max(16, count.radial / 3) : count.radial,
-                         count.lattice, count.around, closing ? 16 : 1);
+/// Where the wall's energy may come close to a singularity at the bore: it closes, or a Gent rubber
+/// is stretched to its limit.
+bool PlainPath::is_singular(double pressure_mpa) const {
+  return pressure_mpa < 0 || std::holds_alternative<Gent>(section_.liner_law);
+}
+
+Quadrature PlainPath::points(const Points& count, double pressure_mpa) const {
+  const bool panels = is_singular(pressure_mpa);
+  return make_quadrature(section_, panels ? std::max(10, count.radial / 4) : count.radial,
+                         count.lattice, count.around, panels ? 12 : 1);
 }
 
 std::optional<ScaledState> PlainPath::newton_step(const ScaledState& x, double pressure_mpa,
                                                   const Points& count) const {
-  const auto at =
-      local(section_, points(count, x), deformation(x), pressure_mpa, stepped_, scale_, energy_);
+  const auto at = local(section_, points(count, pressure_mpa), deformation(x), pressure_mpa,
+                        stepped_, scale_, energy_);
   if (!at) return std::nullopt;
   const VectorXd step = -at->stiffness.fullPivLu().solve(at->imbalance);
   ScaledState result{};
@@ -104,8 +111,8 @@ std::optional<ScaledState> PlainPath::newton_step(const ScaledState& x, double p
 
 std::optional<PlainPath::Rate> PlainPath::rate(const ScaledState& x, double pressure_mpa,
                                                const Points& count) const {
-  const auto at =
-      local(section_, points(count, x), deformation(x), pressure_mpa, stepped_, scale_, energy_);
+  const auto at = local(section_, points(count, pressure_mpa), deformation(x), pressure_mpa,
+                        stepped_, scale_, energy_);
   if (!at) return std::nullopt;
   const VectorXd by_pressure = at->stiffness.fullPivLu().solve(at->push);
   Rate result;
@@ -130,10 +137,10 @@ PlainPath::Step PlainPath::corrected(const ScaledState& start, double pressure_m
   return step;
 }
 
-PlainPath::End PlainPath::follow_to(double pressure_mpa) const {
+PlainPath::End PlainPath::follow_to(double pressure_mpa, bool thorough) const {
   const bool bends = section_.bending_axes > 0;
   const End quick = follow_to(pressure_mpa, {bends ? 12 : 20, 8, 24});
-  if (quick.arrived) return quick;
+  if (quick.arrived || !thorough) return quick;
   return follow_to(pressure_mpa, {36, 16, 72});
 }
 
@@ -141,7 +148,8 @@ PlainPath::End PlainPath::follow_to(double pressure_mpa, const Points& count) co
   End here;
   double step = pressure_mpa;
   int distrust = 0;  // steps in a row that change the number of negative eigenvalues
-  auto now = rate(here.x, 0, count);
+  // A pressure of the right sign: the quadrature goes by it.
+  auto now = rate(here.x, std::copysign(1e-300, pressure_mpa), count);
   for (int steps = 0; steps < most_steps && now; ++steps) {
     const double left = pressure_mpa - here.pressure_mpa;
     if (left == 0) return polished(here);
@@ -157,7 +165,7 @@ PlainPath::End PlainPath::follow_to(double pressure_mpa, const Points& count) co
     const auto then = tried.done ? rate(tried.x, next, count) : std::nullopt;
     // A number that changes is a step across a gap to another branch, unless it still changes when
     // steps are short.
-    if (!then || (then->negative != now->negative && ++distrust < 16)) {
+    if (!then || (then->negative != now->negative && ++distrust < 10)) {
       step = 0.4 * length;
       continue;
     }
@@ -186,9 +194,9 @@ std::optional<double> PlainPath::missing_step(const ScaledState& x, double press
   const auto step = newton_step(x, pressure_mpa, finest);
   if (!step) return std::nullopt;
   double largest = size(*step);
-  // Where stepped in three coordinates, bending must not be pushed at all.
-  const auto all =
-      local(section_, points(middling, x), deformation(x), pressure_mpa, free_, scale_, energy_);
+  // What symmetry leaves out must not be pushed at all.
+  const auto all = local(section_, points(middling, pressure_mpa), deformation(x), pressure_mpa,
+                         free_, scale_, energy_);
   if (!all) return std::nullopt;
   for (std::size_t i = 0; i < free_.size(); ++i) {
     const bool stepped = std::find(stepped_.begin(), stepped_.end(), free_[i]) != stepped_.end();
@@ -203,10 +211,10 @@ std::optional<double> PlainPath::missing_step(const ScaledState& x, double press
 
 std::optional<PlainPath::Stiffness> PlainPath::stiffness(const ScaledState& x,
                                                          double pressure_mpa) const {
-  const auto all =
-      local(section_, points(middling, x), deformation(x), pressure_mpa, free_, scale_, energy_);
-  const auto some =
-      local(section_, points(finest, x), deformation(x), pressure_mpa, stepped_, scale_, energy_);
+  const auto all = local(section_, points(middling, pressure_mpa), deformation(x), pressure_mpa,
+                         free_, scale_, energy_);
+  const auto some = local(section_, points(finest, pressure_mpa), deformation(x), pressure_mpa,
+                          stepped_, scale_, energy_);
   if (!all || !some) return std::nullopt;
   Stiffness result;
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(all->stiffness);
@@ -217,6 +225,8 @@ std::optional<PlainPath::Stiffness> PlainPath::stiffness(const ScaledState& x,
   followed.eigenvalues().cwiseAbs().minCoeff(&nearest);
   result.nearest_value = followed.eigenvalues()[nearest];
   for (std::size_t i = 0; i < stepped_.size(); ++i) {
+    result.push += followed.eigenvectors()(static_cast<Eigen::Index>(i), nearest) *
+                   some->push[static_cast<Eigen::Index>(i)];
     result.nearest[stepped_[i]] = followed.eigenvectors()(static_cast<Eigen::Index>(i), nearest);
   }
   return result;
@@ -224,8 +234,8 @@ std::optional<PlainPath::Stiffness> PlainPath::stiffness(const ScaledState& x,
 
 std::optional<double> PlainPath::curvature(const ScaledState& x, double pressure_mpa,
                                            const ScaledState& v) const {
-  const auto at =
-      local(section_, points(middling, x), deformation(x), pressure_mpa, stepped_, scale_, energy_);
+  const auto at = local(section_, points(middling, pressure_mpa), deformation(x), pressure_mpa,
+                        stepped_, scale_, energy_);
   if (!at) return std::nullopt;
   double sum = 0;
   for (std::size_t i = 0; i < stepped_.size(); ++i) {

@@ -16,8 +16,8 @@ using ScaledState = std::array<double, coordinate_count>;
 
 class PlainPath {
  public:
-  /// Straight sections are stepped in stretch, twist and bore, whatever their symmetry; those that
-  /// bend in all five.
+  /// Stepped in the coordinates that the section's symmetry leaves; that the others are not pushed
+  /// is for missing_step to see.
   PlainPath(const Section& section, Held held);
 
   struct End {
@@ -26,8 +26,9 @@ class PlainPath {
     ScaledState x{};
   };
 
-  /// From rest to a pressure.
-  End follow_to(double pressure_mpa) const;
+  /// From rest to a pressure; `thorough`: where a coarse quadrature does not arrive, a finer one
+  /// tries.
+  End follow_to(double pressure_mpa, bool thorough = true) const;
 
   /// Newton step that a state lacks under a quadrature finer than any that `predict` takes, in the
   /// stepped coordinates; the gradient of a coordinate that is not stepped must be zero and counts
@@ -40,6 +41,7 @@ class PlainPath {
     double norm = 0;
     ScaledState nearest{};  ///< direction of the eigenvalue nearest to zero, of the stepped ones
     double nearest_value = 0;
+    double push = 0;  ///< of the pressure along that direction
   };
   std::optional<Stiffness> stiffness(const ScaledState& x, double pressure_mpa) const;
 
@@ -77,8 +79,9 @@ class PlainPath {
   double energy_ = 1;
   static const Points finest;
   static const Points middling;
+  bool is_singular(double pressure_mpa) const;
   End polished(End end) const;
-  Quadrature points(const Points& count, const ScaledState& x) const;
+  Quadrature points(const Points& count, double pressure_mpa) const;
   End follow_to(double pressure_mpa, const Points& count) const;
 };
 

@@ -245,6 +245,7 @@ Reached Branch::follow_to(double target, double sign) {
     if (step.state.x[n_ - 1] < closed_bore) return note_closure(step.state);
     note_turning_points_before(step.state);
     here_ = step.state;
+    if (at_law_end()) return Reached::lost;
     const double next = length * std::clamp(change, 0.5, 4.0);
     reach_ = landing ? std::max(reach_, next) : next;
     if (landing) return finish_landing();
@@ -272,8 +273,12 @@ bool Branch::at_end(double target, double sign) const {
   return last.kind != LimitKind::bifurcation && (last.x[n_] - target) * sign <= 0;
 }
 
-/// Whether a horseshoe is where its law ends: nothing can be followed from there.
+/// Whether a horseshoe or the liner's rubber is where its law ends. A Gent rubber comes ever closer
+/// to its limit as the pressure rises, a path that costs more and more and says nothing more.
 bool Branch::at_law_end() const {
+  if (stretch_limit_used(balance_.section(), balance_.deformation(here_.x)) > 1 - law_end) {
+    return true;
+  }
   const auto room = room_in_laws(balance_, here_.x);
   return room && *room < law_end;
 }
@@ -337,8 +342,9 @@ std::optional<CriticalPoint> Branch::limit_point_before(const BranchState& beyon
   }
 }
 
-/// Whether the branch runs along the chord from here to a limit point. Where stiff strands lock, it
-/// may leave the chord for much higher pressures, with a limit point of another branch behind.
+/// Whether the branch runs along the chord from here to a limit point, pressure rising, stability
+/// as here. Where stiff strands lock, it may leave the chord for much higher pressures, and what
+/// lies behind is where another branch has its least pressure.
 bool Branch::is_connected(const BranchPoint& limit) {
   const double length = distance(limit, here_.x);
   BranchPoint chord{};
@@ -346,7 +352,11 @@ bool Branch::is_connected(const BranchPoint& limit) {
   for (int i = 1; i < limit_checks; ++i) {
     const BranchPoint start = between(here_.x, limit, static_cast<double>(i) / limit_checks);
     const auto state = corrected(start, chord);
-    if (!state || distance(state->x, start) > greatest_turning * length) return false;
+    if (!state || state->negative_eigenvalues != here_.negative_eigenvalues ||
+        distance(state->x, start) > greatest_turning * length ||
+        std::abs(state->x[n_]) > std::abs(limit[n_])) {
+      return false;
+    }
   }
   return true;
 }

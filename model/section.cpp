@@ -341,15 +341,19 @@ Quadrature make_quadrature(const Section& section, int liner_points, int lattice
 
 int bore_panels_for(const Section& section, const Deformation& at) {
   const double rest = section.inner_radius_mm;
-  const double bore = rest + at.inner_growth;
-  const double left = 1 - (1 + at.elongation) * (bore / rest) * (bore / rest);
-  if (left <= 0) return 1;
-  // R_i - sqrt(R_i^2 - lambda a^2), without the difference of nearly equal numbers.
-  const double below = rest * (1 - left) / (1 + std::sqrt(left));
-  const double share = below / (section.isotropic_to_mm - rest);
-  if (share > 0.05) return 1;
+  const double bore = 1 + at.inner_growth / rest;
+  // Distance of the singularity from the bore, against the wall.
+  double distance = 1;
+  const double filled = (1 + at.elongation) * bore * bore;
+  if (filled < 1) {
+    // R_i - sqrt(R_i^2 - lambda a^2), without the difference of nearly equal numbers.
+    distance = rest * filled / (1 + std::sqrt(1 - filled)) / (section.isotropic_to_mm - rest);
+  }
+  const double used = stretch_limit_used(section, at);
+  if (used > 0.8) distance = std::min(distance, 0.25 * (1 - used));
+  if (distance > 0.05) return 1;
   return std::min(most_panels,
-                  1 + static_cast<int>(std::ceil(std::log(1 / share) / std::log(panel_ratio))));
+                  1 + static_cast<int>(std::ceil(std::log(1 / distance) / std::log(panel_ratio))));
 }
 
 std::vector<Direction> half_turn(int intervals) {

@@ -139,10 +139,11 @@ HorseshoeLaws laws_of(const Section& section);
 Quadrature make_quadrature(const Section& section, int liner_points, int lattice_points,
                            int around = 24, int bore_panels = 1);
 
-/// Panels that a state needs. r(R) is zero where R^2 = R_i^2 - lambda a^2, and Gauss points
-/// converge slowly when that is close below R_i; the innermost panel is not thicker than that
-/// distance. 1 as long as the distance is more than a twentieth of the wall. Precondition: the
-/// state can exist.
+/// Panels that a state needs. Gauss points converge slowly when the energy is singular close below
+/// R_i: r(R) is zero where R^2 = R_i^2 - lambda a^2, and a Gent rubber that is near its limit at
+/// the bore would reach it a little inside. The innermost panel is not thicker than that distance,
+/// as far as it is known. 1 where it is more than a twentieth of the wall. Precondition: the state
+/// can exist.
 int bore_panels_for(const Section& section, const Deformation& at);
 
 /// Directions evenly spaced on half of the tube, from the first axis to its opposite, each

@@ -16,23 +16,46 @@ Kernel::Point_3 exact(const Point& p) {
   return {p[0], p[1], p[2]};
 }
 
+// Bounds in x, y, z and in the angle around the z axis. The end faces of a thick tube are long
+// radial slivers: each one's box in x and y meets those of most others, but not its angles.
 struct Box {
-  Point low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  Point high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  std::array<double, 4> low{HUGE_VAL, HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  std::array<double, 4> high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
 
   void add(const Point& p) {
     for (int i = 0; i < 3; ++i) {
       low[i] = std::min(low[i], p[i]);
       high[i] = std::max(high[i], p[i]);
     }
+    const double angle = std::atan2(p[1], p[0]);
+    low[3] = std::min(low[3], angle);
+    high[3] = std::max(high[3], angle);
+    if (p[0] == 0 && p[1] == 0) take_all_angles();
+  }
+
+  // To be called when a triangle's corners are in. Corners within a half turn span a cone that the
+  // triangle stays in; otherwise it passes the axis, or the angle's jump.
+  void close_angles() {
+    constexpr double rounding = 1e-12;
+    low[3] -= rounding;
+    high[3] += rounding;
+    if (!(high[3] - low[3] < 3)) take_all_angles();
+  }
+
+  void take_all_angles() {
+    low[3] = -HUGE_VAL;
+    high[3] = HUGE_VAL;
   }
   void add(const Box& box) {
-    add(box.low);
-    add(box.high);
+    for (int i = 0; i < 4; ++i) {
+      low[i] = std::min(low[i], box.low[i]);
+      high[i] = std::max(high[i], box.high[i]);
+    }
   }
   bool meets(const Box& box) const {
     return low[0] <= box.high[0] && box.low[0] <= high[0] && low[1] <= box.high[1] &&
-           box.low[1] <= high[1] && low[2] <= box.high[2] && box.low[2] <= high[2];
+           box.low[1] <= high[1] && low[2] <= box.high[2] && box.low[2] <= high[2] &&
+           low[3] <= box.high[3] && box.low[3] <= high[3];
   }
 };
 
@@ -155,6 +178,7 @@ class BoxTree {
     Box all;
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
       for (const std::uint32_t vertex : mesh.triangles[i]) boxes[i].add(mesh.vertices[vertex]);
+      boxes[i].close_angles();
       all.add(boxes[i]);
     }
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order;

@@ -173,6 +173,22 @@ LaidOut lay_out_clear(const Segment& segment, const SolidOptions& options, const
   return laid_out;
 }
 
+// Of the outline, at the radius where the plane is unrolled.
+double outline_length_mm(const PlaneMesh& plane) {
+  const double around = static_cast<double>(plane.grid.columns) * plane.grid.column_steps;
+  double length = 0;
+  for (const OutlineEdge& edge : plane.outline) {
+    const PlaneMeshVertex& from = plane.vertices[edge.from];
+    const PlaneMeshVertex& to = plane.vertices[edge.to];
+    const double u = static_cast<double>(to.column - from.column) * plane.grid.column_steps +
+                     to.point.u - from.point.u;
+    const double z = to.point.z - from.point.z;
+    length +=
+        std::hypot(std::remainder(u, around) * plane.grid.u_step_mm, z * plane.grid.z_step_mm);
+  }
+  return length;
+}
+
 Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer layer) {
   if (layer.fillet_mm > 0) {
     layer.pattern = with_fillets(layer.pattern, layer.fillet_mm, layer.flatness_mm);
@@ -184,8 +200,13 @@ Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer laye
   const double both_radii = layer.ceiling_mm + layer.floor_mm;
   const double area = area_mm2(laid_out.region);
   solid.volume_mm3 = area * height * both_radii / (2 * mid_radius);
-  // Floor and ceiling lie within the tolerance of their cylinders.
-  solid.volume_bound_mm3 = area / mid_radius * both_radii * options.tolerance_mm;
+  // Floor and ceiling lie within the tolerance of their cylinders, and all surfaces move by up to
+  // half a float32 step each way when coordinates are rounded.
+  const double rounding = std::numbers::sqrt3 * 0x1p-24 *
+                          std::max(layer.ceiling_mm, options.start_z_mm + segment.length_mm);
+  const double walls = outline_length_mm(laid_out.relief.plane) * layer.ceiling_mm / mid_radius;
+  solid.volume_bound_mm3 = area / mid_radius * both_radii * (options.tolerance_mm + rounding) +
+                           walls * height * rounding;
   solid.pieces = pieces(laid_out.relief.plane);
   solid.genus = outline_loops(laid_out.region) - solid.pieces;
   return solid;

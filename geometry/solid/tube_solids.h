@@ -20,7 +20,8 @@ struct Solid {
   TriangleMesh mesh;
   double volume_mm3 = 0;  ///< of the drawn region, exact: area x (R_o^2 - R_m^2) / (2 R_c); chords
                           ///< of horseshoe arcs enclose the arcs' area, those of fillets do not
-  double volume_bound_mm3 = 0;  ///< how far a mesh within the tolerance may be from it
+  double volume_bound_mm3 = 0;  ///< how far a mesh within the tolerance may be from it, its
+                                ///< coordinates rounded to float32
   int pieces = 0;               ///< connected components
   int genus = 0;                ///< summed over the pieces
 };
