@@ -17,7 +17,7 @@ std::optional<double> collocated_force(const Arc& arc, double strain, int order)
 /// Where shooting starts.
 enum class ShootingStart {
   end,    ///< along the whole arc; unknown is the slope at the end
-  middle  ///< along half of it; unknown is the rate of turning in the middle
+  middle  ///< along half of it; unknown is the logarithm of the rate of turning in the middle
 };
 
 /// beta at a strain by shooting with CVODE (Adams, dense Newton) and sensitivities, at a relative

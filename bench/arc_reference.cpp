@@ -37,28 +37,47 @@ Real end_of(Real beta, Real delta, Real middle) {
   return 2 * (1 - middle) / (rise + (rise > 0 ? root : -root));
 }
 
-// Integrals over theta in panels of Gauss points, in s where the arc is pulled.
+// theta by a variable in which boundary layers are smooth, and its rate.
+struct Slope {
+  Real theta;
+  Real by_s;
+};
+
+// Pulled: theta = width sinh s. Pushed: sin(theta/2) = width/2 sin s.
+struct Chart {
+  bool pulled;
+  Real width;
+
+  Real reach(Real end) const {
+    return pulled ? std::asinh(end / width) : std::asin(2 * std::sin(end / 2) / width);
+  }
+
+  Slope at(Real s) const {
+    if (pulled) return {width * std::sinh(s), width * std::cosh(s)};
+    const Real half_sine = width / 2 * std::sin(s);
+    return {2 * std::asin(half_sine),
+            width * std::cos(s) / std::sqrt((1 - half_sine) * (1 + half_sine))};
+  }
+};
+
 Mismatch mismatch(const Arc& arc, Real strain, const Unknowns& at) {
   static const LongGaussRule rule = long_gauss(30);
   const Real beta = at.force;
   const Real delta = beta * arc.compliance;
   const Real middle = std::exp(at.log_middle);
   const Real end = 2 * std::asin(std::sqrt(end_of(beta, delta, middle)));
-  const bool pulled = beta > 0;
-  const Real width = pulled ? std::sqrt(middle / (beta * (1 + delta))) : 1;
-  const Real reach = pulled ? std::asinh(end / width) : end;
-  const int panels = static_cast<int>(std::ceil(reach / 0.5L));
+  const Chart chart{beta > 0, std::sqrt(middle / std::abs(beta * (1 + delta)))};
+  const Real reach = chart.reach(end);
+  const int panels = 6 + static_cast<int>(std::ceil(reach));
   Real angle = 0;
   Real chord = 0;
   for (int panel = 0; panel < panels; ++panel) {
     for (std::size_t i = 0; i < rule.points.size(); ++i) {
-      const Real s = reach * (panel + (1 + rule.points[i]) / 2) / panels;
-      const Real weight = reach / panels * rule.weights[i] / 2;
-      const Real theta = pulled ? width * std::sinh(s) : s;
-      const Real stretch = pulled ? width * std::cosh(s) : 1;
-      const Real half_sine = std::sin(theta / 2);
+      const Slope slope = chart.at(reach * (panel + (1 + rule.points[i]) / 2) / panels);
+      const Real half_sine = std::sin(slope.theta / 2);
       const Real z = half_sine * half_sine;
-      const Real along = weight * stretch / std::sqrt(middle + potential(beta, delta, z));
+      const Real along = reach / panels * rule.weights[i] / 2 * slope.by_s /
+                         std::sqrt(middle + potential(beta, delta, z));
       angle += along;
       chord += along * (1 - 2 * z) * (1 + delta * (1 - 2 * z));
     }

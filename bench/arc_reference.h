@@ -13,10 +13,11 @@ struct ArcReference {
 };
 
 /// beta at `near.strain`, from the first integral and from the initial-value problem, both in long
-/// double; `near` says where to look. First way: with the squared rate of turning in the middle,
-/// m, as unknown instead of the end's slope, and theta = (2 sqrt(m)/kappa) sinh(s), boundary layers
-/// are smooth in s. Second way: Taylor series from the middle of the arc. The first one's force is
-/// given. Precondition: the strain is not 0.
+/// double; `near` says where to look. The first way has the squared rate of turning in the middle
+/// as unknown instead of the end's slope, and integrates over a variable whose sinh (pulled) or
+/// sine (pushed) is the slope, in which boundary layers are smooth. The second way walks by Taylor
+/// series from the middle of the arc. The first one's force is given. Precondition: the strain is
+/// not 0.
 ArcReference arc_reference(const Arc& arc, const ArcEquilibrium& near);
 
 /// The first way alone: faster.

@@ -25,10 +25,18 @@ class Shooting {
     for (int iteration = 0; iteration < 12; ++iteration) {
       const auto end = shoot(unknowns[0], unknowns[1]);
       if (!end) return std::nullopt;
-      const double chord = (start_ == ShootingStart::end ? 2 : 1) * std::sin(arc_.half_angle_rad);
-      const Eigen::Vector2d residual((*end)[1] - 1, (*end)[2] / chord - 1 - strain);
+      const PathState& y = *end;
+      const double sine = std::sin(arc_.half_angle_rad);
+      Eigen::Vector2d residual;
       Eigen::Matrix2d jacobian;
-      jacobian << (*end)[4], (*end)[7], (*end)[5] / chord, (*end)[8] / chord;
+      if (start_ == ShootingStart::end) {
+        // Symmetry; no moment at the far end says nothing more of an arc at rest.
+        residual << y[0] + unknowns[0], y[2] / (2 * sine) - 1 - strain;
+        jacobian << y[3] + 1, y[6], y[5] / (2 * sine), y[8] / (2 * sine);
+      } else {
+        residual << y[1] - 1, y[2] / sine - 1 - strain;
+        jacobian << y[4], y[7], y[5] / sine, y[8] / sine;
+      }
       const Eigen::Vector2d step = jacobian.partialPivLu().solve(residual);
       unknowns -= step;
       if (!unknowns.allFinite()) return std::nullopt;
@@ -40,7 +48,7 @@ class Shooting {
   // The circle.
   Eigen::VectorXd rest() const {
     const bool from_end = start_ == ShootingStart::end;
-    return Eigen::Vector2d(from_end ? -arc_.half_angle_rad : 1, 0);
+    return Eigen::Vector2d(from_end ? -arc_.half_angle_rad : 0, 0);
   }
 
  private:
@@ -48,8 +56,8 @@ class Shooting {
     const bool from_end = start_ == ShootingStart::end;
     PathState y{};
     y[0] = from_end ? unknown : 0;
-    y[1] = from_end ? 1 : unknown;
-    y[from_end ? 3 : 4] = 1;
+    y[1] = from_end ? 1 : std::exp(unknown);
+    y[from_end ? 3 : 4] = y[1];
     const double delta = arc_.compliance * beta;
     const auto rate = [&](double, const double* at, double* by) {
       const double s = std::sin(at[0]);
