@@ -108,6 +108,14 @@ void many_segments(int count) {
   shape_in(predict_chain(chain, {}, load), chain, 0).value().tip();
 }
 
+void own_columns(int count) {
+  std::vector<Segment> chain;
+  for (int i = 0; i < count; ++i) {
+    chain.push_back(testing::columns(testing::halves(8, 3.5, 2 + 1.0 * i / count)));
+  }
+  predict_chain(chain, {}, cases(1, count));
+}
+
 void many_cases(int count) {
   const std::vector<Segment> chain = {testing::columns(testing::halves(8, 3.5, 2)),
                                       testing::paper_segment({36})};
@@ -123,6 +131,7 @@ std::vector<Stage> stages() {
           {"distinct horseshoe laws", decades(1, 1000), distinct_laws},
           {"pressures", decades(1, 100000), many_pressures},
           {"segments", decades(1, 1000), many_segments},
+          {"segments with columns of their own", decades(1, 1000), own_columns},
           {"load cases (tips included)", decades(1, 100000), many_cases}};
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <unordered_set>
 
 namespace latticast {
 namespace {
@@ -36,9 +37,12 @@ ChainResponse predict_chain(std::span<const Segment> segments, const ModelChoice
   check_cases(cases, segments.size());
   ChainResponse chain{{cases.begin(), cases.end()}, {}, {}};
   HorseshoeLaws laws;
+  std::unordered_set<const HorseshoeLaw*> kept;
   for (std::size_t s = 0; s < segments.size(); ++s) {
     const PreparedSegment prepared = prepare_segment(segments[s], model, laws);
-    for (const auto& law : laws_of(prepared)) laws.push_back(law);
+    for (const auto& law : laws_of(prepared)) {
+      if (kept.insert(law.get()).second) laws.push_back(law);
+    }
     chain.pressures_kpa.push_back(distinct_pressures(cases, s));
     chain.responses.push_back(predict(prepared, chain.pressures_kpa.back()));
   }

@@ -11,6 +11,7 @@
 #include "geometry/pattern/rings.h"
 #include "model/gauss.h"
 #include "model/horseshoe_strands.h"
+#include "model/mirror_places.h"
 
 namespace latticast {
 namespace {
@@ -166,29 +167,22 @@ double frame_turn(const std::vector<Winding>& all) {
   return 0;
 }
 
-/// Whether widths are mirrored by the plane through Theta = pi place/count.
-bool mirrored(const Grid& grid, int place) {
-  const int n = grid.count();
-  for (int j = 0; j < n; ++j) {
-    if (grid.widths_mm[j] != grid.widths_mm[((place - j) % n + n) % n]) return false;
-  }
-  return true;
-}
-
 /// Theta of a plane that mirrors the widths of all uneven families. Planes and their opposites are
 /// one, so as many places as the first family has strands suffice.
 std::optional<double> mirror_axis(const std::vector<Winding>& all) {
-  std::vector<const Grid*> uneven;
+  std::vector<std::vector<bool>> uneven;
   for (const Winding& winding : all) {
-    if (!winding.even) uneven.push_back(winding.grid);
+    if (!winding.even) uneven.push_back(mirror_places(winding.grid->widths_mm));
   }
   if (uneven.empty()) return std::nullopt;
-  const int n = uneven.front()->count();
-  for (int place = 0; place < n; ++place) {
-    const bool all_mirrored = std::all_of(uneven.begin(), uneven.end(), [&](const Grid* grid) {
-      return place * grid->count() % n == 0 && mirrored(*grid, place * grid->count() / n);
-    });
-    if (all_mirrored) return pi * place / n;
+  const std::size_t n = uneven.front().size();
+  for (std::size_t place = 0; place < n; ++place) {
+    const auto mirrors = [&](const std::vector<bool>& places) {
+      return place * places.size() % n == 0 && places[place * places.size() / n];
+    };
+    if (std::all_of(uneven.begin(), uneven.end(), mirrors)) {
+      return pi * static_cast<double>(place) / static_cast<double>(n);
+    }
   }
   return std::nullopt;
 }
