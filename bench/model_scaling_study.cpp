@@ -127,7 +127,7 @@ std::vector<Stage> stages() {
   return {{"straight strands of two widths", doublings(8, 8192), uneven_straight},
           {"horseshoe strands of two widths", doublings(8, 8192), uneven_horseshoes},
           {"strands of a nearly even family (prepared only)", doublings(8, 32768), nearly_even},
-          {"families", decades(1, 1000), families},
+          {"families", decades(1, 10000), families},
           {"distinct horseshoe laws", decades(1, 1000), distinct_laws},
           {"pressures", decades(1, 100000), many_pressures},
           {"segments", decades(1, 1000), many_segments},

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <string>
+#include <unordered_set>
 #include <variant>
 
 #include "geometry/pattern/rings.h"
@@ -78,7 +80,7 @@ struct Layer {
   const Segment& segment;
   const ModelChoice& model;
   RingLayout rings;
-  HorseshoeLaws laws;
+  LawsByShape laws;
 };
 
 StrandFamily strand_family(const Layer& layer, std::size_t index) {
@@ -98,7 +100,7 @@ StrandFamily strand_family(const Layer& layer, std::size_t index) {
   for (const double width : grid.widths_mm) {
     StrandPlace strand;
     if (grid.horseshoe) {
-      strand.law = law_of(layer.laws, horseshoe_shape(segment, grid, width));
+      strand.law = layer.laws.at(horseshoe_shape(segment, grid, width));
       family.arcs_per_mm = 1 / (rest_chord_mm(strand.law->shape()) * family.sine);
     } else {
       // The mixture counts no strips: a family as a whole carries c2, whatever its strands.
@@ -199,13 +201,14 @@ bool are_supplementary(const StrandFamily& a, const StrandFamily& b) {
 
 /// Whether tilted families do not all come in mirrored pairs.
 bool has_handedness(const std::vector<StrandFamily>& families) {
-  std::vector<const StrandFamily*> open;
+  std::multimap<double, const StrandFamily*> open;  // by how far they lean
   for (const StrandFamily& family : families) {
     if (family.cosine == 0) continue;
-    const auto partner = std::find_if(open.begin(), open.end(), [&](const StrandFamily* other) {
-      return are_supplementary(family, *other);
-    });
-    partner == open.end() ? open.push_back(&family) : void(open.erase(partner));
+    const double lean = std::abs(family.cosine);
+    const auto [first, last] = open.equal_range(lean);
+    const auto partner = std::find_if(
+        first, last, [&](const auto& other) { return are_supplementary(family, *other.second); });
+    partner == last ? void(open.emplace(lean, &family)) : void(open.erase(partner));
   }
   return !open.empty();
 }
@@ -249,7 +252,7 @@ void add_lattice(const Segment& segment, const ModelChoice& model, const Horsesh
   const RingLayout rings = ring_layout(segment);
   const double share = mixture && rings.pitch_mm > 0 ? mixture_lattice : rings.fraction;
   section.ring_modulus_mpa = share * strand_modulus_mpa(*segment.lattice);
-  const Layer layer{segment, model, rings, mixture ? HorseshoeLaws{} : build_laws(segment, known)};
+  const Layer layer{segment, model, rings, mixture ? LawsByShape{} : build_laws(segment, known)};
   for (std::size_t i = 0; i < segment.lattice->grids.size(); ++i) {
     if (segment.lattice->grids[i].count() == 0) continue;
     section.families.push_back(strand_family(layer, i));
@@ -297,11 +300,10 @@ Section prepare_section(const Segment& segment, const ModelChoice& model,
 
 HorseshoeLaws laws_of(const Section& section) {
   HorseshoeLaws laws;
+  std::unordered_set<const HorseshoeLaw*> met;
   for (const StrandFamily& family : section.families) {
     for (const StrandPlace& strand : family.strands) {
-      if (strand.law && std::find(laws.begin(), laws.end(), strand.law) == laws.end()) {
-        laws.push_back(strand.law);
-      }
+      if (strand.law && met.insert(strand.law.get()).second) laws.push_back(strand.law);
     }
   }
   return laws;
