@@ -7,9 +7,6 @@
 namespace latticast {
 namespace {
 
-// Enough for rounding-level integrals over the whole certified range of arcs.
-constexpr int quadrature_points = 26;
-
 constexpr int most_iterations = 8;
 constexpr double strain_rounding = 1e-15;
 constexpr double shortest_step = 1e-6;  // of the way asked for
@@ -46,7 +43,7 @@ Residual residual_of(const ArcQuadrature& quadrature, const Arc& arc, double sin
 
 }  // namespace
 
-ArcSolver::ArcSolver(const Arc& arc)
+ArcSolver::ArcSolver(const Arc& arc, int quadrature_points)
     : arc_(arc), sine_(std::sin(arc.half_angle_rad)), quadrature_(quadrature_points) {
   const double phi = arc.half_angle_rad;
   const double bending = phi * (2 + std::cos(2 * phi)) - 1.5 * std::sin(2 * phi);

@@ -25,8 +25,12 @@ struct ArcEquilibrium {
 /// a step whose correction is not small is repeated in halves.
 class ArcSolver {
  public:
-  /// Precondition: 0 < half angle < pi, compliance > 0.
-  explicit ArcSolver(const Arc& arc);
+  /// Enough Gauss points for rounding-level integrals over the whole certified range of arcs.
+  static constexpr int default_points = 26;
+
+  /// Precondition: 0 < half angle < pi, compliance > 0, quadrature_points >= 1; fewer points than
+  /// the default cost accuracy.
+  explicit ArcSolver(const Arc& arc, int quadrature_points = default_points);
 
   /// The circle itself: strain and force 0, slope by the closed form
   ///     2 sin phi0 / (phi0 (2 + cos 2 phi0) - 1.5 sin 2 phi0 + c (phi0 + sin(2 phi0)/2)).

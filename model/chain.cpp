@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "model/horseshoe_strands.h"
+
 namespace latticast {
 namespace {
 
@@ -15,6 +17,16 @@ std::vector<double> distinct_pressures(std::span<const LoadCase> cases, std::siz
   std::sort(pressures.begin(), pressures.end());
   pressures.erase(std::unique(pressures.begin(), pressures.end()), pressures.end());
   return pressures;
+}
+
+// Those that a segment can use: all laws of a long chain would be too many to hand to each segment.
+HorseshoeLaws known_laws(const LawsByShape& laws, const Segment& segment) {
+  HorseshoeLaws known;
+  for (const HorseshoeShape& shape : horseshoe_shapes(segment)) {
+    const auto found = laws.find(shape);
+    if (found != laws.end()) known.push_back(found->second);
+  }
+  return known;
 }
 
 // Before sorting, whose order a NaN would break.
@@ -35,10 +47,11 @@ ChainResponse predict_chain(std::span<const Segment> segments, const ModelChoice
                             std::span<const LoadCase> cases) {
   check_cases(cases, segments.size());
   ChainResponse chain{{cases.begin(), cases.end()}, {}, {}};
-  HorseshoeLaws laws;
+  LawsByShape laws;
   for (std::size_t s = 0; s < segments.size(); ++s) {
-    const PreparedSegment prepared = prepare_segment(segments[s], model, laws);
-    for (const auto& law : laws_of(prepared)) laws.push_back(law);
+    const PreparedSegment prepared =
+        prepare_segment(segments[s], model, known_laws(laws, segments[s]));
+    for (const auto& law : laws_of(prepared)) laws.emplace(law->shape(), law);
     chain.pressures_kpa.push_back(distinct_pressures(cases, s));
     chain.responses.push_back(predict(prepared, chain.pressures_kpa.back()));
   }

@@ -2,9 +2,12 @@
 #include "model/horseshoe_law.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <compare>
 #include <exception>
+#include <map>
 #include <numbers>
 #include <thread>
 
@@ -63,6 +66,15 @@ double force_unit_n(const HorseshoeShape& shape) {
 
 }  // namespace
 
+bool HorseshoeShapeOrder::operator()(const HorseshoeShape& a, const HorseshoeShape& b) const {
+  const auto numbers = [](const HorseshoeShape& shape) {
+    return std::array{shape.radius_mm, shape.arc_rad, shape.width_mm, shape.thickness_mm,
+                      shape.youngs_modulus_mpa};
+  };
+  return std::ranges::lexicographical_compare(
+      numbers(a), numbers(b), [](double x, double y) { return std::strong_order(x, y) < 0; });
+}
+
 double rest_chord_mm(const HorseshoeShape& shape) {
   return 2 * shape.radius_mm * std::sin(shape.arc_rad / 2);
 }
@@ -95,10 +107,11 @@ std::vector<std::shared_ptr<const HorseshoeLaw>> horseshoe_laws(
     std::span<const HorseshoeShape> shapes, int threads) {
   std::vector<HorseshoeShape> distinct;
   std::vector<std::size_t> which;
+  std::map<HorseshoeShape, std::size_t, HorseshoeShapeOrder> numbers;
   for (const HorseshoeShape& shape : shapes) {
-    const auto known = std::find(distinct.begin(), distinct.end(), shape);
-    which.push_back(static_cast<std::size_t>(known - distinct.begin()));
-    if (known == distinct.end()) distinct.push_back(shape);
+    const auto [known, is_new] = numbers.emplace(shape, distinct.size());
+    which.push_back(known->second);
+    if (is_new) distinct.push_back(shape);
   }
 
   std::vector<std::shared_ptr<const HorseshoeLaw>> solved(distinct.size());

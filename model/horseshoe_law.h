@@ -24,6 +24,11 @@ struct HorseshoeShape {
   bool operator==(const HorseshoeShape&) const = default;
 };
 
+/// A total order of shapes to look them up by; numbers that are none have their places in it, too.
+struct HorseshoeShapeOrder {
+  bool operator()(const HorseshoeShape& a, const HorseshoeShape& b) const;
+};
+
 /// Distance of the ends at rest, 2 R_h sin(phi0).
 double rest_chord_mm(const HorseshoeShape& shape);
 
@@ -78,8 +83,9 @@ class HorseshoeLaw {
 using HorseshoeLaws = std::vector<std::shared_ptr<const HorseshoeLaw>>;
 
 /// The laws of `shapes` over their widest ranges, in that order. Each distinct shape is solved once
-/// and its law shared; distinct ones are solved side by side on up to `threads` threads (0: as many
-/// as the machine has). Throws as the constructor does, after all threads have come back.
+/// and its law shared, found in n log n; distinct ones are solved side by side on up to `threads`
+/// threads (0: as many as the machine has). Throws as the constructor does, after all threads have
+/// come back.
 HorseshoeLaws horseshoe_laws(std::span<const HorseshoeShape> shapes, int threads = 0);
 
 }  // namespace latticast

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/horseshoe_strands.h"
 
-#include <algorithm>
 #include <numbers>
+#include <set>
 #include <string>
 #include <variant>
 
@@ -31,33 +31,32 @@ HorseshoeShape horseshoe_shape(const Segment& segment, const Grid& grid, double 
           segment.lattice->thickness_mm, strand_modulus_mpa(*segment.lattice)};
 }
 
-HorseshoeLaws build_laws(const Segment& segment, const HorseshoeLaws& known) {
-  std::vector<HorseshoeShape> missing;
-  HorseshoeLaws laws = known;
+std::vector<HorseshoeShape> horseshoe_shapes(const Segment& segment) {
+  std::vector<HorseshoeShape> shapes;
+  if (!segment.lattice) return shapes;
+  std::set<HorseshoeShape, HorseshoeShapeOrder> met;
   for (const Grid& grid : segment.lattice->grids) {
     if (!grid.horseshoe) continue;
     for (const double width : grid.widths_mm) {
       const HorseshoeShape shape = horseshoe_shape(segment, grid, width);
-      const bool have = std::any_of(known.begin(), known.end(),
-                                    [&](const auto& law) { return law->shape() == shape; });
-      if (!have && std::find(missing.begin(), missing.end(), shape) == missing.end()) {
-        missing.push_back(shape);
-      }
+      if (met.insert(shape).second) shapes.push_back(shape);
     }
   }
+  return shapes;
+}
+
+LawsByShape build_laws(const Segment& segment, const HorseshoeLaws& known) {
+  LawsByShape laws;
+  for (const auto& law : known) laws.emplace(law->shape(), law);
+  std::vector<HorseshoeShape> missing = horseshoe_shapes(segment);
+  std::erase_if(missing, [&](const HorseshoeShape& shape) { return laws.contains(shape); });
   try {
-    const HorseshoeLaws built = horseshoe_laws(missing);
-    laws.insert(laws.end(), built.begin(), built.end());
+    for (const auto& law : horseshoe_laws(missing)) laws.emplace(law->shape(), law);
   } catch (const HorseshoeOutOfScope& reason) {
     throw UnsupportedDesign(std::string("a horseshoe strand cannot be predicted: ") +
                             reason.what());
   }
   return laws;
-}
-
-std::shared_ptr<const HorseshoeLaw> law_of(const HorseshoeLaws& laws, const HorseshoeShape& shape) {
-  return *std::find_if(laws.begin(), laws.end(),
-                       [&](const auto& law) { return law->shape() == shape; });
 }
 
 }  // namespace latticast

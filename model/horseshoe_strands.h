@@ -2,6 +2,7 @@
 // The horseshoe laws of a segment's strands, and the moduli that its materials enter with.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -20,11 +21,15 @@ double strand_modulus_mpa(const Lattice& lattice);
 /// One strand's arc. Precondition: the grid has horseshoes.
 HorseshoeShape horseshoe_shape(const Segment& segment, const Grid& grid, double width_mm);
 
-/// `known` laws and those that the segment's strands need besides, built side by side. Throws
-/// UnsupportedDesign for a shape outside of the law's scope. Precondition: there is a lattice.
-HorseshoeLaws build_laws(const Segment& segment, const HorseshoeLaws& known);
+/// The distinct shapes of a segment's horseshoe strands; none without a lattice.
+std::vector<HorseshoeShape> horseshoe_shapes(const Segment& segment);
 
-/// The law of a shape. Precondition: it is among them.
-std::shared_ptr<const HorseshoeLaw> law_of(const HorseshoeLaws& laws, const HorseshoeShape& shape);
+/// Laws, found by their shapes.
+using LawsByShape =
+    std::map<HorseshoeShape, std::shared_ptr<const HorseshoeLaw>, HorseshoeShapeOrder>;
+
+/// `known` laws and those that the segment's strands need besides, built side by side. Throws
+/// UnsupportedDesign for a shape outside of the law's scope.
+LawsByShape build_laws(const Segment& segment, const HorseshoeLaws& known);
 
 }  // namespace latticast

@@ -100,7 +100,7 @@ double smallest_eigenvalue(const Balanced& at, const RodsLoad& load, double unit
   return (mean - std::hypot(half, at.stretch_bend)) / unit;
 }
 
-void add_columns(const Segment& segment, const Grid& grid, const HorseshoeLaws& laws, Rods& rods) {
+void add_columns(const Segment& segment, const Grid& grid, const LawsByShape& laws, Rods& rods) {
   const int n = grid.count();
   for (int j = 0; j < n; ++j) {
     EffectiveRod& rod = rods.halves[2 * j < n ? 0 : 1];
@@ -110,7 +110,7 @@ void add_columns(const Segment& segment, const Grid& grid, const HorseshoeLaws& 
           strand_modulus_mpa(*segment.lattice) * width * segment.lattice->thickness_mm;
       continue;
     }
-    const auto law = law_of(laws, horseshoe_shape(segment, grid, width));
+    const auto law = laws.at(horseshoe_shape(segment, grid, width));
     const auto same = std::find_if(rod.columns.begin(), rod.columns.end(),
                                    [&](const auto& column) { return column.law == law; });
     same == rod.columns.end() ? rod.columns.push_back({law, 1}) : void(++same->count);
@@ -147,7 +147,7 @@ Rods prepare_rods(const Segment& segment, const HorseshoeLaws& known) {
   rods.arm_mm =
       2.0 / 3 * (outside * outside + outside * inside + inside * inside) / (outside + inside);
   if (!segment.lattice) return rods;
-  const HorseshoeLaws laws = build_laws(segment, known);
+  const LawsByShape laws = build_laws(segment, known);
   for (std::size_t i = 0; i < segment.lattice->grids.size(); ++i) {
     const Grid& grid = segment.lattice->grids[i];
     if (grid.count() > 0 && grid.angle_deg != 90) {

@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <string>
+#include <unordered_set>
 #include <variant>
 
 #include "geometry/pattern/rings.h"
 #include "model/gauss.h"
 #include "model/horseshoe_strands.h"
+#include "model/mirror_places.h"
 
 namespace latticast {
 namespace {
@@ -80,7 +83,7 @@ struct Layer {
   const Segment& segment;
   const ModelChoice& model;
   RingLayout rings;
-  HorseshoeLaws laws;
+  LawsByShape laws;
 };
 
 StrandFamily strand_family(const Layer& layer, std::size_t index) {
@@ -100,7 +103,7 @@ StrandFamily strand_family(const Layer& layer, std::size_t index) {
   for (const double width : grid.widths_mm) {
     StrandPlace strand;
     if (grid.horseshoe) {
-      strand.law = law_of(layer.laws, horseshoe_shape(segment, grid, width));
+      strand.law = layer.laws.at(horseshoe_shape(segment, grid, width));
       family.arcs_per_mm = 1 / (rest_chord_mm(strand.law->shape()) * family.sine);
     } else {
       // The mixture counts no strips: a family as a whole carries c2, whatever its strands.
@@ -169,29 +172,22 @@ double frame_turn(const std::vector<Winding>& all) {
   return 0;
 }
 
-/// Whether widths are mirrored by the plane through Theta = pi place/count.
-bool mirrored(const Grid& grid, int place) {
-  const int n = grid.count();
-  for (int j = 0; j < n; ++j) {
-    if (grid.widths_mm[j] != grid.widths_mm[((place - j) % n + n) % n]) return false;
-  }
-  return true;
-}
-
 /// Theta of a plane that mirrors the widths of all uneven families. Planes and their opposites are
 /// one, so as many places as the first family has strands suffice.
 std::optional<double> mirror_axis(const std::vector<Winding>& all) {
-  std::vector<const Grid*> uneven;
+  std::vector<std::vector<bool>> uneven;
   for (const Winding& winding : all) {
-    if (!winding.even) uneven.push_back(winding.grid);
+    if (!winding.even) uneven.push_back(mirror_places(winding.grid->widths_mm));
   }
   if (uneven.empty()) return std::nullopt;
-  const int n = uneven.front()->count();
-  for (int place = 0; place < n; ++place) {
-    const bool all_mirrored = std::all_of(uneven.begin(), uneven.end(), [&](const Grid* grid) {
-      return place * grid->count() % n == 0 && mirrored(*grid, place * grid->count() / n);
-    });
-    if (all_mirrored) return pi * place / n;
+  const std::size_t n = uneven.front().size();
+  for (std::size_t place = 0; place < n; ++place) {
+    const auto mirrors = [&](const std::vector<bool>& places) {
+      return place * places.size() % n == 0 && places[place * places.size() / n];
+    };
+    if (std::all_of(uneven.begin(), uneven.end(), mirrors)) {
+      return pi * static_cast<double>(place) / static_cast<double>(n);
+    }
   }
   return std::nullopt;
 }
@@ -208,13 +204,14 @@ bool are_supplementary(const StrandFamily& a, const StrandFamily& b) {
 
 /// Whether tilted families do not all come in mirrored pairs.
 bool has_handedness(const std::vector<StrandFamily>& families) {
-  std::vector<const StrandFamily*> open;
+  std::multimap<double, const StrandFamily*> open;  // by how far they lean
   for (const StrandFamily& family : families) {
     if (family.cosine == 0) continue;
-    const auto partner = std::find_if(open.begin(), open.end(), [&](const StrandFamily* other) {
-      return are_supplementary(family, *other);
-    });
-    partner == open.end() ? open.push_back(&family) : void(open.erase(partner));
+    const double lean = std::abs(family.cosine);
+    const auto [first, last] = open.equal_range(lean);
+    const auto partner = std::find_if(
+        first, last, [&](const auto& other) { return are_supplementary(family, *other.second); });
+    partner == last ? void(open.emplace(lean, &family)) : void(open.erase(partner));
   }
   return !open.empty();
 }
@@ -262,7 +259,7 @@ void add_lattice(const Segment& segment, const ModelChoice& model, const Horsesh
   const RingLayout rings = ring_layout(segment);
   const double share = mixture && rings.pitch_mm > 0 ? mixture_lattice : rings.fraction;
   section.ring_modulus_mpa = share * strand_modulus_mpa(*segment.lattice);
-  const Layer layer{segment, model, rings, mixture ? HorseshoeLaws{} : build_laws(segment, known)};
+  const Layer layer{segment, model, rings, mixture ? LawsByShape{} : build_laws(segment, known)};
   for (std::size_t i = 0; i < segment.lattice->grids.size(); ++i) {
     if (segment.lattice->grids[i].count() == 0) continue;
     section.families.push_back(strand_family(layer, i));
@@ -310,11 +307,10 @@ Section prepare_section(const Segment& segment, const ModelChoice& model,
 
 HorseshoeLaws laws_of(const Section& section) {
   HorseshoeLaws laws;
+  std::unordered_set<const HorseshoeLaw*> met;
   for (const StrandFamily& family : section.families) {
     for (const StrandPlace& strand : family.strands) {
-      if (strand.law && std::find(laws.begin(), laws.end(), strand.law) == laws.end()) {
-        laws.push_back(strand.law);
-      }
+      if (strand.law && met.insert(strand.law.get()).second) laws.push_back(strand.law);
     }
   }
   return laws;

@@ -159,6 +159,26 @@ TEST(ChainResponse, CasesBeyondALimitAreEmptyAloneAndTheSegmentIsKnown) {
   EXPECT_EQ(chain.responses[1].status, Status::ok);
 }
 
+TEST(ChainResponse, SegmentsShareLawsAndAnswerAsAlone) {
+  const std::vector<Segment> segments = {columns(halves(8, 4, 2)), columns(halves(8, 2, 3)),
+                                         paper_segment({36}), columns(halves(8, 4, 2)),
+                                         columns({2, 4, 3, 3, 4}, 60)};
+  const std::vector<LoadCase> cases = {{{10, 20, 30, 20, 15}}, {{5, 5, 5, 5, 5}}};
+  const ChainResponse chain = predict_chain(segments, {}, cases);
+  EXPECT_EQ(chain.responses[0].laws, chain.responses[3].laws);
+  EXPECT_EQ(chain.responses[1].laws[0], chain.responses[0].laws[1]);  // the one of 2 mm
+  EXPECT_TRUE(chain.responses[2].laws.empty());
+  for (std::size_t s = 0; s < segments.size(); ++s) {
+    const Response alone = predict(segments[s], {}, chain.pressures_kpa[s]);
+    EXPECT_EQ(chain.responses[s].laws.size(), alone.laws.size());
+    for (std::size_t i = 0; i < alone.states.size(); ++i) {
+      EXPECT_EQ(chain.responses[s].states[i]->stretch, alone.states[i]->stretch);
+      EXPECT_EQ(chain.responses[s].states[i]->bend_rad_per_mm, alone.states[i]->bend_rad_per_mm);
+      EXPECT_EQ(chain.responses[s].states[i]->twist_rad_per_mm, alone.states[i]->twist_rad_per_mm);
+    }
+  }
+}
+
 TEST(ChainResponse, CasesMustFitTheChain) {
   const std::vector<Segment> segments = {paper_segment({36}), paper_segment({60})};
   const auto predicted = [&](const LoadCase& load) {

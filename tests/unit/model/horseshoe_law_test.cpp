@@ -265,6 +265,10 @@ TEST(HorseshoeLaw, DistinctShapesAreSolvedOnceAndInAnyNumberOfThreads) {
   EXPECT_TRUE(horseshoe_laws({}).empty());
   shapes.push_back(shape_of(10, 1));
   EXPECT_THROW(horseshoe_laws(shapes, 3), HorseshoeOutOfScope);
+  // What is no number is no other shape's equal.
+  shapes.back() = shapes.front();
+  shapes.back().width_mm = std::nan("");
+  EXPECT_THROW(horseshoe_laws(shapes, 3), HorseshoeOutOfScope);
 }
 
 }  // namespace

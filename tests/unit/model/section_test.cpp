@@ -323,6 +323,25 @@ std::string refusal(const Segment& segment, const ModelChoice& model = {}) {
   return "";
 }
 
+TEST(Section, TwistsUnlessEveryFamilyHasItsMirrorImage) {
+  const auto twists = [](const std::vector<Grid>& grids) {
+    Segment segment = paper_segment({});
+    segment.lattice->grids = grids;
+    return prepare_section(segment, {}).twists;
+  };
+  const Grid wide = grid(36, 8, 2);
+  const Grid thin = grid(36, 8, 1);
+  const Grid wide_image = grid(144, 8, 2);
+  const Grid thin_image = grid(144, 8, 1);
+  EXPECT_FALSE(twists({grid(90, 8, 2)}));
+  EXPECT_FALSE(twists({wide, thin, wide_image, thin_image}));
+  EXPECT_FALSE(twists({wide, wide, grid(60, 8, 1), wide_image, grid(120, 8, 1), wide_image}));
+  EXPECT_TRUE(twists({wide, thin_image}));
+  EXPECT_TRUE(twists({wide, wide}));
+  EXPECT_TRUE(twists({wide, wide, wide_image}));
+  EXPECT_TRUE(twists({wide, grid(143, 8, 2)}));
+}
+
 TEST(Section, WhatCannotBePredictedIsRefusedByName) {
   ModelChoice mixture;
   mixture.wall = WallKind::mixture;
