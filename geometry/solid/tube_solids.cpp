@@ -188,6 +188,7 @@ Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer laye
   solid.volume_bound_mm3 = area / mid_radius * both_radii * options.tolerance_mm;
   solid.pieces = pieces(laid_out.relief.plane);
   solid.genus = outline_loops(laid_out.region) - solid.pieces;
+  solid.error = solid_error(laid_out.region, laid_out.relief.radii_mm, mid_radius, layer.steepness);
   return solid;
 }
 
@@ -198,8 +199,9 @@ Solid lattice_solid(const Segment& segment, const SolidOptions& options) {
   // Half of the tolerance for an arc's chords, which grow with the radius where they are seen, and
   // half for the wall that stands on them.
   const double share = has_arcs(lattice) ? 0.5 : 1;
+  const double grown = std::max({1.0, options.stretch_radius, options.stretch});
   const double flatness = 0.5 * options.tolerance_mm * segment.lattice_mid_radius_mm() /
-                          (segment.outer_radius_mm() * std::max(1.0, options.stretch_radius));
+                          (segment.outer_radius_mm() * grown);
   Layer layer{draw_lattice(segment, flatness),
               segment.liner_outer_radius_mm(),
               segment.outer_radius_mm(),
