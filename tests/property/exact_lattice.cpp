@@ -29,9 +29,11 @@ double dot(Vector a, Vector b) {
   return a.u * b.u + a.z * b.z;
 }
 
+// Neighbouring arcs meet in a cross-section, which belongs to both.
 bool between_angles(double angle, double from, double to) {
-  const double beyond = angle - from;
-  return beyond - 2 * pi * std::floor(beyond / (2 * pi)) <= to - from;
+  constexpr double slack = 1e-9;
+  const double beyond = angle - from + slack;
+  return beyond - 2 * pi * std::floor(beyond / (2 * pi)) <= to - from + 2 * slack;
 }
 
 // Straight line through a point, or a circle.
@@ -63,7 +65,9 @@ void add_line_circle(const Curve& line, const Curve& circle, std::vector<Vector>
 void add_circles(const Curve& a, const Curve& b, std::vector<Vector>& points) {
   const Vector to = b.at - a.at;
   const double apart = to.length();
-  if (apart == 0 || apart > a.radius + b.radius || apart < std::abs(a.radius - b.radius)) return;
+  const double slack = 1e-9 * (a.radius + b.radius);  // touching counts
+  if (apart == 0 || apart > a.radius + b.radius + slack) return;
+  if (apart < std::abs(a.radius - b.radius) - slack) return;
   const double along = 0.5 * (apart + (a.radius - b.radius) * (a.radius + b.radius) / apart);
   const double half = std::sqrt(std::max(0.0, a.radius * a.radius - along * along));
   const Vector unit = (1 / apart) * to;
@@ -155,7 +159,7 @@ void ExactLattice::add_horseshoes(const Grid& grid, int strand) {
     const double first = side_of(arc) > 0 ? zero + from : zero - to;
     arcs_.push_back(
         {c.u, c.z, radius - 0.5 * width, radius + 0.5 * width, first, first + (to - from)});
-    if (grid.horseshoe->alternate) return;
+    if (grid.horseshoe->alternate || to < half) return;  // joined to no next arc
     const Vector joint = start + (arc + 1) * chord * along;
     arcs_.push_back({joint.u, joint.z, 0, 0.5 * width, 0, 2 * pi});
   };

@@ -131,7 +131,8 @@ double largest_distance_mm(const TriangleMesh& mesh, const ExactSolid& exact, do
     const std::vector<Point> places = points_over(mesh, mesh.triangles[t], fineness);
     const std::vector<Point> before = map ? points_over(rest, rest.triangles[t], fineness) : places;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      largest = std::max(largest, exact.distance_mm(places[i], reach_mm, map, before[i]));
+      const double distance = exact.distance_mm(places[i], reach_mm, map, before[i]);
+      largest = std::max(largest, distance);
     }
   }
   return largest;
