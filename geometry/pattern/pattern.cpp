@@ -43,19 +43,12 @@ HorseshoeColumn column_of(const Grid& grid, int strand, const Pattern& pattern) 
           grid.widths_mm[strand], pattern.length_mm};
 }
 
-// Whole arcs keep their area. Where an end or another strand cuts one, up to half a chord's share
-// is left over on either side.
-DrawingError error_of(std::size_t arcs, double radius, double flatness) {
-  const double chord = std::sqrt(12 * flatness * radius);
-  return {flatness, static_cast<double>(arcs) * flatness * chord};
-}
-
 void draw_grid(const Grid& grid, double flatness, Pattern& pattern) {
   for (int i = 0; i < grid.count(); ++i) {
     if (grid.horseshoe) {
-      const std::vector<Strand> arcs = draw_horseshoe(column_of(grid, i, pattern), flatness).arcs;
-      pattern.strands.insert(pattern.strands.end(), arcs.begin(), arcs.end());
-      pattern.error += error_of(arcs.size(), grid.horseshoe->radius_mm, flatness);
+      const DrawnHorseshoe drawn = draw_horseshoe(column_of(grid, i, pattern), flatness);
+      pattern.strands.insert(pattern.strands.end(), drawn.arcs.begin(), drawn.arcs.end());
+      pattern.error += drawn.error;
     } else {
       const double start = i * pattern.circumference_mm / grid.count();
       pattern.strands.push_back(

@@ -45,7 +45,9 @@ Path box(cInt left, cInt right, cInt length) {
   return {{left, 0}, {right, 0}, {right, length}, {left, length}};
 }
 
-// The union of the strands' copies that reach into [-margin, period + margin], cut off there.
+// The union of the strands' copies that reach into [-margin, period + margin], with a bar on either
+// side in place of their cut ends: each of these would be rounded with more points than all that
+// is kept, and they lie at the same heights on both sides, where Clipper is slowest.
 Paths united_around_one_period(const Pattern& pattern, const IntegerGrid& grid, cInt margin) {
   ClipperLib::Clipper clipper;
   for (const Strand& strand : pattern.strands) {
@@ -60,7 +62,11 @@ Paths united_around_one_period(const Pattern& pattern, const IntegerGrid& grid, 
       clipper.AddPath(shifted, ClipperLib::ptSubject, true);
     }
   }
-  clipper.AddPath(box(-margin, period + margin, grid.length), ClipperLib::ptClip, true);
+  const cInt bar = margin;
+  for (const cInt left : {-margin - bar, period + margin}) {
+    clipper.AddPath(box(left, left + bar, grid.length), ClipperLib::ptSubject, true);
+  }
+  clipper.AddPath(box(-margin - bar, period + margin + bar, grid.length), ClipperLib::ptClip, true);
   Paths result;
   clipper.Execute(ClipperLib::ctIntersection, result, ClipperLib::pftNonZero,
                   ClipperLib::pftNonZero);
