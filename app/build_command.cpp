@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/build_command.h"
 
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -8,6 +9,7 @@
 
 #include "app/audit_output.h"
 #include "app/design_input.h"
+#include "app/file_error.h"
 #include "app/interrupt.h"
 #include "app/plan.h"
 #include "app/staging_folder.h"
@@ -53,6 +55,7 @@ class Builder {
     for (const PlannedMold& planned : molds) {
       steps_ += static_cast<int>(planned.mold.pieces.size());
     }
+    if (!molds.empty()) note_time("molds, planned and meshed");
 #endif
     count_steps();
     for (std::size_t s = 0; s < design_.segments.size(); ++s) build_segment(s);
@@ -126,6 +129,7 @@ class Builder {
           fmt::format("preview-{}-{}", shapes[i].label, is_liner ? "liner" : "lattice");
       begin(part_name(s, part));
       Solid moved{moved_mesh(rest.mesh, shapes[i].shape, s), 0, 0, rest.pieces, rest.genus};
+      moved.error = moved_error(rest, moved.mesh, shapes[i].shape, s);
       deliver(part_name(s, part), moved);
       picture.push_back({std::move(moved.mesh), i, is_liner});
     }
@@ -150,9 +154,19 @@ class Builder {
       write_mesh(path, solid.mesh, format);
       const Audit result = audit(weld(read_mesh(path)));
       prove(file, solid, result);
-      summary_ += fmt::format("{}: {}\n", file, audit_summary(result));
+      summary_ += fmt::format("{}: {}, {}\n", file, audit_summary(result),
+                              describe(error_of_file(solid, result)));
       stop_if_interrupted();
     }
+    note_time(stem);
+  }
+
+  // Since the part before: all that was done for this one.
+  void note_time(const std::string& stem) {
+    const auto now = std::chrono::steady_clock::now();
+    console_.note(
+        fmt::format("{}: {:.2f} s", stem, std::chrono::duration<double>(now - since_).count()));
+    since_ = now;
   }
 
   static void prove(const std::string& file, const Solid& solid, const Audit& result) {
@@ -180,6 +194,7 @@ class Builder {
   std::string summary_;
   int step_ = 0;
   int steps_ = 0;
+  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
 };
 
 bool makes_anything(const Plan& plan) {

@@ -19,6 +19,10 @@ constexpr Colour liner_colour{0.93, 0.86, 0.76};
 // More pressures than this in a file's name help nobody.
 constexpr std::size_t most_named_pressures = 6;
 
+// A quadratic map leaves a flat triangle by sum of l_i l_j q_ij, which is q/4 in the middle of a
+// side and at most q/3 anywhere.
+constexpr double worst_inside_triangle = 4.0 / 3;
+
 std::string case_label(const LoadCase& load, std::size_t number) {
   const std::vector<double>& pressures = load.pressures_kpa;
   const bool alike = std::adjacent_find(pressures.begin(), pressures.end(),
@@ -53,6 +57,25 @@ double bending_plane_rad(const std::vector<PreviewShape>& shapes) {
   const double length = shapes.back().shape.length_mm();
   if (std::hypot(cosine, sine) < 1e-3 * length) return 0.5 * std::numbers::pi;
   return 0.5 * std::atan2(sine, cosine);
+}
+
+Point middle(const Point& a, const Point& b) {
+  return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])};
+}
+
+double area_mm2(const TriangleMesh& mesh) {
+  double area = 0;
+  for (const Triangle& t : mesh.triangles) {
+    Point p{};
+    Point q{};
+    for (int i = 0; i < 3; ++i) {
+      p[i] = mesh.vertices[t[1]][i] - mesh.vertices[t[0]][i];
+      q[i] = mesh.vertices[t[2]][i] - mesh.vertices[t[0]][i];
+    }
+    area += 0.5 * std::hypot(p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+                             p[0] * q[1] - p[1] * q[0]);
+  }
+  return area;
 }
 
 // How far a place's parts reach along a horizontal direction.
@@ -117,6 +140,7 @@ SolidOptions preview_options(const Design& design, std::size_t segment, double s
         std::max(options.twist_rad_per_mm, at.shape.curving_rad_per_mm(segment));
     options.stretch_radius = std::max(
         options.stretch_radius, state.outer_radius_mm / design.segments[segment].outer_radius_mm());
+    options.stretch = std::max(options.stretch, at.shape.largest_stretch(segment));
   }
   return options;
 }
@@ -125,6 +149,28 @@ TriangleMesh moved_mesh(const TriangleMesh& rest, const Shape& shape, std::size_
   TriangleMesh moved = rest;
   for (Point& point : moved.vertices) point = shape.moved(point, segment);
   return moved;
+}
+
+SolidError moved_error(const Solid& rest, const TriangleMesh& moved, const Shape& shape,
+                       std::size_t segment) {
+  double worst = 0;
+  for (const Triangle& t : rest.mesh.triangles) {
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = t[i];
+      const std::uint32_t b = t[(i + 1) % 3];
+      if (a > b) continue;  // the triangle beside this one has the edge as b, a
+      const Point exact =
+          shape.moved(middle(rest.mesh.vertices[a], rest.mesh.vertices[b]), segment);
+      const Point chord = middle(moved.vertices[a], moved.vertices[b]);
+      worst = std::max(worst,
+                       std::hypot(exact[0] - chord[0], exact[1] - chord[1], exact[2] - chord[2]));
+    }
+  }
+  SolidError error;
+  error.surface_mm =
+      shape.largest_stretch(segment) * rest.error.surface_mm + worst_inside_triangle * worst;
+  error.volume_mm3 = error.surface_mm * area_mm2(moved);
+  return error;
 }
 
 Image preview_picture(const std::vector<PicturePart>& parts,

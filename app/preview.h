@@ -37,6 +37,13 @@ SolidOptions preview_options(const Design& design, std::size_t segment, double s
 /// Every vertex moved by the shape, as part of `segment`.
 TriangleMesh moved_mesh(const TriangleMesh& rest, const Shape& shape, std::size_t segment);
 
+/// How far `moved`, which is moved_mesh of the solid's, may be from the exactly moved true solid:
+/// the rest mesh's own error, stretched, and how far the map bends away from the triangles between
+/// its vertices, which is measured in the middle of every side. The volume's error is that of a
+/// layer as thick all over the surface.
+SolidError moved_error(const Solid& rest, const TriangleMesh& moved, const Shape& shape,
+                       std::size_t segment);
+
 /// A place in the row of shapes that the picture shows.
 struct PicturePart {
   TriangleMesh mesh;

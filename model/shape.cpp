@@ -196,6 +196,21 @@ double Shape::curving_rad_per_mm(std::size_t segment) const {
                    state.stretch * bend / state.outer_radius_mm);
 }
 
+double Shape::largest_stretch(std::size_t segment) const {
+  const Piece& piece = pieces_.at(segment);
+  const State& state = piece.state;
+  // r/R runs from a/R_i towards 1/sqrt(lambda) as R grows.
+  const double bore = state.inner_radius_mm / piece.inner_radius_mm;
+  const double far_out = 1 / std::sqrt(state.stretch);
+  const double around = std::max(bore, far_out);
+  const double along = state.stretch + state.bend_magnitude_rad_per_mm() * state.outer_radius_mm;
+  const double shear = state.twist_rad_per_mm * state.outer_radius_mm;
+  const double radial = 1 / (state.stretch * std::min(bore, far_out));
+  const double in_surface =
+      0.5 * (std::hypot(around + along, shear) + std::hypot(around - along, shear));
+  return std::max(radial, in_surface);
+}
+
 double Shape::longest_straight_mm(std::size_t segment, double tolerance_mm) const {
   const double curving = curving_rad_per_mm(segment);
   if (curving == 0) return std::numeric_limits<double>::infinity();

@@ -76,6 +76,10 @@ class Shape {
   /// |kappa|^2 + |omega kappa|).
   double curving_rad_per_mm(std::size_t segment) const;
 
+  /// At least the factor by which any short line in the segment's wall becomes longer: the largest
+  /// singular value of F (MODEL.md section 1) with each entry as large as it is anywhere.
+  double largest_stretch(std::size_t segment) const;
+
   /// Longest axial rest distance between mesh vertices of a segment for which a straight line at
   /// the outer surface, moved, departs from its chord by no more than `tolerance_mm` (> 0): 2
   /// acos(1 - tolerance/r) / curving. Infinite for a straight segment.

@@ -69,6 +69,7 @@ Solid pattern_solid(const LatticeMoldPlan& plan, const Height& height, double bo
   for (const Bore& bore : shell.bores) {
     gates.strands.push_back(drawn_disc(drawn, bore.middle.u / drawn, bore.middle.z - height.low_mm,
                                        bore.radius_mm, 0.5 * fit.tolerance_mm));
+    gates.error += disc_error(bore.radius_mm, 0.5 * fit.tolerance_mm);
   }
   LayeredTube tube;
   tube.drawn_radius_mm = drawn;

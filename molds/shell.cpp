@@ -46,6 +46,7 @@ Solid shell_solid(const Shell& shell, int piece, double tolerance_mm) {
   for (const Bore& b : shell.bores) {
     bores.strands.push_back(
         drawn_disc(drawn, b.middle.u / drawn, b.middle.z, b.radius_mm, 0.5 * tolerance_mm));
+    bores.error += disc_error(b.radius_mm, 0.5 * tolerance_mm);
   }
   Pattern straps{around, length, {}};
   for (const StrapGroove& groove : shell.straps) {

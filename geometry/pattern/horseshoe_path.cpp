@@ -11,6 +11,7 @@ namespace {
 constexpr double radians = std::numbers::pi / 180;
 constexpr double widest_step = 0.5;  // in radians; the error of chords is a series in the step
 constexpr int samples_per_arc = 256;
+constexpr double worst_sag = 1.05;
 
 double half_arc(const Horseshoe& shape) {
   return 0.5 * shape.arc_deg * radians;
@@ -104,6 +105,7 @@ class Drawer {
     const Where up = draw_up(middle, first);
     const Where down = draw_down(middle, first);
     drawn_.in_one_piece = up == Where::above && down == Where::below;
+    drawn_.error = error();
     return std::move(drawn_);
   }
 
@@ -182,6 +184,18 @@ class Drawer {
                                outward * radius * std::sin(i * step)));
     }
     add(std::move(disc));
+  }
+
+  // The chords at an arc's ends, between the circle and the points further out, sag the most: by
+  // 1.042 of what those points are out by. Whole arcs keep their area; where an end or another
+  // strand cuts one, up to half a chord's share is left over on either side.
+  DrawingError error() const {
+    const double radius = radius_ + 0.5 * column_.width_mm;
+    const double off = worst_sag * radius * (outward_ - 1);
+    const double chord = radius * 2 * half_ / steps_;
+    // Discs at joints have chords of their own.
+    return {column_.shape.alternate ? off : std::max(off, flatness_),
+            static_cast<double>(drawn_.arcs.size()) * off * chord};
   }
 
   void add(std::vector<PlanePoint> outline) {

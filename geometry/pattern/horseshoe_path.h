@@ -43,6 +43,7 @@ double centre_distance_mm(const HorseshoeColumn& column, double spacing_u_mm);
 /// of the strand's width. Precondition: 0 < width < 2 R, flatness > 0.
 struct DrawnHorseshoe {
   std::vector<Strand> arcs;
+  DrawingError error;        ///< of the chords that were made
   bool in_one_piece = true;  ///< false: an arc bulges past an end so far that it parts the strand
 };
 DrawnHorseshoe draw_horseshoe(const HorseshoeColumn& column, double flatness_mm);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/pattern/pattern.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -45,8 +46,9 @@ HorseshoeColumn column_of(const Grid& grid, int strand, const Pattern& pattern) 
 void draw_grid(const Grid& grid, double flatness, Pattern& pattern) {
   for (int i = 0; i < grid.count(); ++i) {
     if (grid.horseshoe) {
-      const std::vector<Strand> arcs = draw_horseshoe(column_of(grid, i, pattern), flatness).arcs;
-      pattern.strands.insert(pattern.strands.end(), arcs.begin(), arcs.end());
+      const DrawnHorseshoe drawn = draw_horseshoe(column_of(grid, i, pattern), flatness);
+      pattern.strands.insert(pattern.strands.end(), drawn.arcs.begin(), drawn.arcs.end());
+      pattern.error += drawn.error;
     } else {
       const double start = i * pattern.circumference_mm / grid.count();
       pattern.strands.push_back(
@@ -56,6 +58,12 @@ void draw_grid(const Grid& grid, double flatness, Pattern& pattern) {
 }
 
 }  // namespace
+
+DrawingError& DrawingError::operator+=(const DrawingError& other) {
+  distance_mm = std::max(distance_mm, other.distance_mm);
+  area_mm2 += other.area_mm2;
+  return *this;
+}
 
 Pattern draw_lattice(const Segment& segment, double flatness_mm) {
   const double circumference = 2 * std::numbers::pi * segment.lattice_mid_radius_mm();

@@ -24,11 +24,21 @@ struct Strand {
   std::vector<PlanePoint> outline;
 };
 
+/// How far what is drawn may be from what was meant.
+struct DrawingError {
+  double distance_mm = 0;  ///< of outlines from the true ones
+  double area_mm2 = 0;     ///< of the united strands
+
+  /// Two drawings in one: the larger distance, both areas.
+  DrawingError& operator+=(const DrawingError& other);
+};
+
 /// All strands of one segment. They overlap where they cross; their union is the lattice.
 struct Pattern {
   double circumference_mm = 0;  ///< period in u
   double length_mm = 0;
   std::vector<Strand> strands;
+  DrawingError error{};  ///< of curves drawn as chords; none for straight outlines
 };
 
 /// The design's strands cannot be drawn as asked; what() lists every reason with its place and the

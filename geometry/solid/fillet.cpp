@@ -19,6 +19,10 @@ constexpr cInt period = cInt{1} << 26;
 constexpr double finest_radius = 4;          // in those steps
 constexpr double first_offset_share = 0.05;  // of the flatness: it blunts outward corners
 constexpr double nearest_points = 2;         // in steps: closer ones are what rounding leaves
+constexpr double finest_arc_share = 0.25;    // of the radius: Clipper draws no arc coarser
+// Clipper rounds an arc's number of chords, so that one may turn by 1.5 times what is asked for;
+// its sagitta grows with the square.
+constexpr double worst_sagitta = 2.25;
 
 struct IntegerGrid {
   double u_step_mm;
@@ -41,7 +45,9 @@ Path box(cInt left, cInt right, cInt length) {
   return {{left, 0}, {right, 0}, {right, length}, {left, length}};
 }
 
-// The union of the strands' copies that reach into [-margin, period + margin], cut off there.
+// The union of the strands' copies that reach into [-margin, period + margin], with a bar on either
+// side in place of their cut ends: each of these would be rounded with more points than all that
+// is kept, and they lie at the same heights on both sides, where Clipper is slowest.
 Paths united_around_one_period(const Pattern& pattern, const IntegerGrid& grid, cInt margin) {
   ClipperLib::Clipper clipper;
   for (const Strand& strand : pattern.strands) {
@@ -56,7 +62,11 @@ Paths united_around_one_period(const Pattern& pattern, const IntegerGrid& grid, 
       clipper.AddPath(shifted, ClipperLib::ptSubject, true);
     }
   }
-  clipper.AddPath(box(-margin, period + margin, grid.length), ClipperLib::ptClip, true);
+  const cInt bar = margin;
+  for (const cInt left : {-margin - bar, period + margin}) {
+    clipper.AddPath(box(left, left + bar, grid.length), ClipperLib::ptSubject, true);
+  }
+  clipper.AddPath(box(-margin - bar, period + margin + bar, grid.length), ClipperLib::ptClip, true);
   Paths result;
   clipper.Execute(ClipperLib::ctIntersection, result, ClipperLib::pftNonZero,
                   ClipperLib::pftNonZero);
@@ -64,7 +74,7 @@ Paths united_around_one_period(const Pattern& pattern, const IntegerGrid& grid, 
 }
 
 Paths offset(const Paths& paths, double distance, double flatness) {
-  ClipperLib::ClipperOffset offsetter(2.0, flatness);
+  ClipperLib::ClipperOffset offsetter(2.0, flatness / worst_sagitta);
   offsetter.AddPaths(paths, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
   Paths result;
   offsetter.Execute(result, distance);
@@ -79,6 +89,22 @@ Paths one_period_of(const Paths& paths, cInt length) {
   clipper.Execute(ClipperLib::ctIntersection, result, ClipperLib::pftNonZero,
                   ClipperLib::pftNonZero);
   return result;
+}
+
+// What lies between a fillet and its chord is c^3 / (12 r). Edges as short as a chord are taken for
+// one: arcs of strands among them, for which that is too much.
+double area_beside_chords(const Pattern& pattern, double radius_mm, double flatness_mm) {
+  const double longest = 2.02 * std::sqrt(2 * radius_mm * flatness_mm);
+  double cubes = 0;
+  for (const Strand& strand : pattern.strands) {
+    for (std::size_t i = 0; i < strand.outline.size(); ++i) {
+      const PlanePoint& a = strand.outline[i];
+      const PlanePoint& b = strand.outline[(i + 1) % strand.outline.size()];
+      const double chord = std::hypot(b.u - a.u, b.z - a.z);
+      if (chord <= longest) cubes += chord * chord * chord;
+    }
+  }
+  return cubes / (12 * radius_mm);
 }
 
 }  // namespace
@@ -103,6 +129,11 @@ Pattern with_fillets(const Pattern& pattern, double radius_mm, double flatness_m
     }
     result.strands.push_back(std::move(strand));
   }
+  const double off = std::min(flatness_mm, finest_arc_share * radius_mm);
+  const double rounding = (nearest_points + 1) * grid.u_step_mm;
+  result.error = pattern.error;
+  result.error.distance_mm += (1 + first_offset_share) * off + rounding;
+  result.error.area_mm2 += area_beside_chords(result, radius_mm, off);
   return result;
 }
 

@@ -40,6 +40,7 @@ Solid layered_solid(const LayeredTube& tube, double tolerance_mm) {
     solid.volume_bound_mm3 += per_radius * both * tolerance_mm;
   }
   solid.mesh = wrap(relief);
+  solid.error = solid_error(region, relief.radii_mm, tube.drawn_radius_mm, tube.steepness);
   const ReliefTopology counted = topology(relief);
   solid.pieces = counted.pieces;
   solid.genus = counted.genus;
@@ -69,6 +70,10 @@ Strand drawn_disc(double drawn_radius_mm, double at_rad, double z_mm, double rad
                               z_mm + corner * std::sin(i * angle)});
   }
   return strand;
+}
+
+DrawingError disc_error(double radius_mm, double flatness_mm) {
+  return {flatness_mm, flatness_mm * std::sqrt(12 * flatness_mm * radius_mm)};
 }
 
 double chamfer_tolerance_mm(double tolerance_mm, double radius_mm) {

@@ -46,6 +46,10 @@ Strand drawn_window(double drawn_radius_mm, double from_rad, double to_rad, doub
 Strand drawn_disc(double drawn_radius_mm, double at_rad, double z_mm, double radius_mm,
                   double flatness_mm);
 
+/// What a drawn disc adds to its pattern's error. Its area is lost or gained only where something
+/// else cuts it.
+DrawingError disc_error(double radius_mm, double flatness_mm);
+
 /// Gives the edge between the face at `z_mm` and the cylinder of `radius_mm` a lead-in chamfer: its
 /// vertices move inwards (outwards for a bore) by `depth_mm`. The band of walls beside the face
 /// must have been cut at that distance from it: draw a line of the material there. The facets must

@@ -2,6 +2,7 @@
 #include "geometry/solid/region.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <unordered_map>
 
@@ -11,6 +12,8 @@ namespace latticast {
 namespace {
 
 constexpr int most_closing_rounds = 16;
+constexpr double farthest_snap = 1.5;  // in steps
+constexpr double usual_snap = 0.5;
 
 // Sweeps one column from left to right (upwards along vertical edges) and finds the winding number
 // on both sides of every edge. Edges meet at their ends only, so the order of the edges that the
@@ -213,8 +216,12 @@ ClosedPattern close_touching(Pattern pattern, const PlaneGrid& grid,
   for (int round = 0; round < most_closing_rounds; ++round) {
     Region region = region_of(arrange(pattern, grid, cuts), same_as_sheets);
     const std::vector<PlaneVertex> points = touching_points(region);
-    if (points.empty()) return {std::move(pattern), std::move(region)};
+    if (points.empty()) {
+      region.drawn = pattern.error;
+      return {std::move(pattern), std::move(region)};
+    }
     for (const PlaneVertex& point : points) pattern.strands.push_back(diamond(grid, point, half));
+    pattern.error += {half, 2 * half * half * static_cast<double>(points.size())};
   }
   throw GeometryError(
       "strands touch in points that cannot be closed; change an angle, a count or a "
@@ -240,6 +247,7 @@ Region unite(Pattern pattern, const PlaneGrid& grid, std::span<const std::int32_
 Region layered_region(std::span<const Pattern> sheets, const PlaneGrid& grid,
                       std::span<const std::int32_t> cuts, const Filling& filling) {
   Region region = region_of(arrange(sheets, grid, cuts), filling);
+  for (const Pattern& sheet : sheets) region.drawn += sheet.error;
   if (const std::vector<PlaneVertex> points = touching_points(region); !points.empty()) {
     const PlaneVertex& first = points.front();
     const double turn = (first.column + static_cast<double>(first.point.u) / grid.column_steps) /
@@ -289,6 +297,25 @@ double area_mm2(const Region& region, int layer) {
     }
   }
   return 0.5 * static_cast<double>(twice_steps) * region.grid.u_step_mm * region.grid.z_step_mm;
+}
+
+DrawingError region_error(const Region& region, int layer) {
+  const PlaneGrid& grid = region.grid;
+  const Layers wanted = Layers{1} << layer;
+  double snapped = 0;  // area that a displacement by one step takes or adds
+  for (const auto& column : region.columns) {
+    for (const RegionEdge& edge : column) {
+      if (((edge.inside_left ^ edge.inside_right) & wanted) == 0) continue;
+      const bool on_end = edge.a.z == edge.b.z && (edge.a.z == 0 || edge.a.z == grid.length_steps);
+      if (on_end) continue;
+      snapped += std::abs(edge.b.z - edge.a.z) + std::abs(edge.b.u - edge.a.u);
+    }
+  }
+  DrawingError error = region.drawn;
+  if (snapped == 0) return error;
+  error.distance_mm += farthest_snap * std::hypot(grid.u_step_mm, grid.z_step_mm);
+  error.area_mm2 += usual_snap * snapped * grid.u_step_mm * grid.z_step_mm;
+  return error;
 }
 
 int outline_loops(const Region& region) {

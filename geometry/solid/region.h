@@ -33,6 +33,7 @@ struct RegionEdge {
 struct Region {
   PlaneGrid grid;
   std::vector<std::vector<RegionEdge>> columns;
+  DrawingError drawn{};  ///< of the patterns, and of the diamonds that close touching points
 };
 
 /// A vertex on the line between column `line - 1` and column `line`, and whether the stretch of the
@@ -68,6 +69,10 @@ std::vector<LinePoint> line_points(const Region& region, int line);
 
 /// Area of a layer in mm^2 at the radius where the plane is unrolled; exact on the grid.
 double area_mm2(const Region& region, int layer = 0);
+
+/// How far a layer may be from what was meant: what was drawn, and what the grid did to it. Edges
+/// are taken to have moved by 1.5 steps, half of one on average; ends of the segment stay.
+DrawingError region_error(const Region& region, int layer = 0);
 
 /// Number of closed outline curves of layer 0. A region of c pieces has first Betti number loops -
 /// c, which is the genus of the solid that wraps it.

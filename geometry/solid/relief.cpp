@@ -249,6 +249,13 @@ double chord_error_mm(double radius_mm, double column_angle_rad) {
   return radius_mm * std::max(factor - 1, 1 - factor * std::cos(0.5 * column_angle_rad));
 }
 
+double wall_error_mm(double depth_mm, double column_angle_rad, double steepness) {
+  // A wall's middle vertex leaves the ruled surface by 1/16 of the difference between its outer and
+  // inner edge, which is the column's angle times the wall's depth; square to the wall, times
+  // steepness.
+  return column_angle_rad * depth_mm * steepness / 16;
+}
+
 int columns_for(double radius_mm, double tolerance_mm) {
   // factor - 1 = D^2/12 + O(D^4), so this first guess is at most a few columns off.
   const double angle = std::sqrt(12 * tolerance_mm / radius_mm);
@@ -259,11 +266,7 @@ int columns_for(double radius_mm, double tolerance_mm) {
 
 std::vector<double> wall_radii(double floor_mm, double ceiling_mm, double column_angle_rad,
                                double steepness, double tolerance_mm) {
-  // A wall's middle vertex leaves the ruled surface by 1/16 of the difference between its outer and
-  // inner edge, which is the column's angle times the wall's depth; square to the wall, times
-  // steepness.
-  const double depth = ceiling_mm - floor_mm;
-  const double off = column_angle_rad * depth * steepness / 16;
+  const double off = wall_error_mm(ceiling_mm - floor_mm, column_angle_rad, steepness);
   const int layers = std::max(1, static_cast<int>(std::ceil(off / tolerance_mm - 1e-9)));
   std::vector<double> radii(layers + 1);
   for (int i = 0; i <= layers; ++i) radii[i] = std::lerp(floor_mm, ceiling_mm, double(i) / layers);

@@ -48,6 +48,10 @@ TriangleMesh wrap(const Relief& relief);
 /// D: the larger of r (sqrt(D / sin D) - 1) and r (1 - sqrt(D / sin D) cos(D / 2)).
 double chord_error_mm(double radius_mm, double column_angle_rad);
 
+/// Largest distance between a wall `depth_mm` high, from one level to the next, and the true
+/// helicoid.
+double wall_error_mm(double depth_mm, double column_angle_rad, double steepness);
+
 /// Fewest columns (at least 12) that keep the chord error within a tolerance.
 int columns_for(double radius_mm, double tolerance_mm);
 

@@ -18,7 +18,9 @@ namespace {
 
 constexpr double most_triangles = 20e6;
 constexpr double fewest_steps_across = 16;
-constexpr double coarser = 4;                 // grid steps where arcs graze other outlines
+constexpr double curve_share = 0.5;    // of the tolerance, for the chords of arcs and fillets
+constexpr double column_share = 0.85;  // for columns then: at rims both count, square to each other
+constexpr double coarser = 4;          // grid steps where arcs graze other outlines
 constexpr double coarsest_step_share = 0.05;  // of the tolerance
 
 // What is drawn, and between which radii it stands.
@@ -44,9 +46,9 @@ struct Cutting {
 // An edge of a twisted mesh turns by its own angle around the tube plus the twist over its height,
 // and no longer has corners pushed outwards: half of the permitted angle (sagitta r D^2/8) goes to
 // each.
-int columns_of(const Segment& segment, const SolidOptions& options) {
+int columns_of(const Segment& segment, const SolidOptions& options, bool has_arcs) {
   const double radius = segment.outer_radius_mm();
-  int columns = columns_for(radius, options.tolerance_mm);
+  int columns = columns_for(radius, (has_arcs ? column_share : 1) * options.tolerance_mm);
   if (options.twist_rad_per_mm != 0 || options.stretch_radius != 1) {
     const double grown = radius * std::max(1.0, options.stretch_radius);
     const double share = options.twist_rad_per_mm != 0 ? 0.5 : 1.0;
@@ -70,11 +72,24 @@ Cutting cutting(const Segment& segment, const SolidOptions& options, const Plane
   return cut;
 }
 
+bool has_horseshoes(const Lattice& lattice) {
+  return std::any_of(lattice.grids.begin(), lattice.grids.end(),
+                     [](const Grid& grid) { return grid.horseshoe.has_value(); });
+}
+
 // Arcs and fillets run in every direction.
 bool has_arcs(const Lattice& lattice) {
-  return lattice.fillet_mm > 0 ||
-         std::any_of(lattice.grids.begin(), lattice.grids.end(),
-                     [](const Grid& grid) { return grid.horseshoe.has_value(); });
+  return lattice.fillet_mm > 0 || has_horseshoes(lattice);
+}
+
+// Of chords, so that they stay within their share where they are seen: the error grows with the
+// radius. A fillet leans on chords of arcs, and adds its own.
+double flatness_of(const Segment& segment, const SolidOptions& options) {
+  const Lattice& lattice = *segment.lattice;
+  const double grown = std::max({1.0, options.stretch_radius, options.stretch});
+  const double share = lattice.fillet_mm > 0 && has_horseshoes(lattice) ? 0.5 : 1;
+  return share * curve_share * options.tolerance_mm * segment.lattice_mid_radius_mm() /
+         (segment.outer_radius_mm() * grown);
 }
 
 // A helix is steepest at the smallest radius: its rise stays, its way around shrinks.
@@ -141,9 +156,9 @@ struct Fineness {
 
 LaidOut lay_out(const Segment& segment, const SolidOptions& options, const Layer& layer,
                 const Fineness& fineness) {
-  const PlaneGrid grid =
-      make_plane_grid(layer.pattern.circumference_mm, segment.length_mm,
-                      columns_of(segment, options), fineness.step_mm, options.start_z_mm);
+  const PlaneGrid grid = make_plane_grid(layer.pattern.circumference_mm, segment.length_mm,
+                                         columns_of(segment, options, layer.has_arcs),
+                                         fineness.step_mm, options.start_z_mm);
   check_widths(layer, grid);
   const Cutting cut = cutting(segment, options, grid);
   Region region = unite(layer.pattern, grid, cut.heights, options.tolerance_mm);
@@ -209,6 +224,7 @@ Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer laye
                            walls * height * rounding;
   solid.pieces = pieces(laid_out.relief.plane);
   solid.genus = outline_loops(laid_out.region) - solid.pieces;
+  solid.error = solid_error(laid_out.region, laid_out.relief.radii_mm, mid_radius, layer.steepness);
   return solid;
 }
 
@@ -216,16 +232,12 @@ Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer laye
 
 Solid lattice_solid(const Segment& segment, const SolidOptions& options) {
   const Lattice& lattice = *segment.lattice;
-  // Half of the tolerance for an arc's chords, which grow with the radius where they are seen, and
-  // half for the wall that stands on them.
-  const double share = has_arcs(lattice) ? 0.5 : 1;
-  const double flatness = 0.5 * options.tolerance_mm * segment.lattice_mid_radius_mm() /
-                          (segment.outer_radius_mm() * std::max(1.0, options.stretch_radius));
+  const double flatness = flatness_of(segment, options);
   Layer layer{draw_lattice(segment, flatness),
               segment.liner_outer_radius_mm(),
               segment.outer_radius_mm(),
               steepest_slant(segment),
-              share * options.tolerance_mm,
+              (has_arcs(lattice) ? 1 - curve_share : 1) * options.tolerance_mm,
               thinnest_strand_mm(lattice),
               lattice.fillet_mm,
               flatness,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/solid/solid_error.h"
 #include "spec/design.h"
 
 namespace latticast {
@@ -12,7 +13,8 @@ struct SolidOptions {
   double start_z_mm = 0;        ///< where the segment begins along the actuator
   double twist_rad_per_mm = 0;  ///< largest twist that the mesh will be given later (preview)
   double stretch_radius =
-      1;  ///< largest factor by which its outer radius will grow later (preview)
+      1;               ///< largest factor by which its outer radius will grow later (preview)
+  double stretch = 1;  ///< largest factor by which short lines on it will grow later (preview)
 };
 
 /// A mesh with what the planar region says that it must be.
@@ -24,6 +26,7 @@ struct Solid {
                                 ///< coordinates rounded to float32
   int pieces = 0;               ///< connected components
   int genus = 0;                ///< summed over the pieces
+  SolidError error{};           ///< against what the design means, arcs and all; coordinates exact
 };
 
 /// The lattice layer R_m..R_o of a segment. Precondition: the segment has a lattice.

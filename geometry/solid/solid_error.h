@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far a meshed solid may be from what it stands for.
+#pragma once
+
+#include <vector>
+
+#include "geometry/mesh/triangle_mesh.h"
+#include "geometry/solid/region.h"
+
+namespace latticast {
+
+/// Estimates from above. The true solid has round floors and ceilings, arcs in place of their
+/// chords, and walls that run straight towards the axis.
+struct SolidError {
+  double surface_mm = 0;  ///< largest distance of a point of the mesh from the true surface
+  double volume_mm3 = 0;  ///< of the volume enclosed
+};
+
+/// Of the relief (relief.h) that stands on a region: `radii_mm` are its levels, the region's plane
+/// is unrolled at `drawn_radius_mm`, `steepness` as for wall_radii. Derived in docs/geometry.md.
+/// Coordinates are taken to be exact.
+SolidError solid_error(const Region& region, const std::vector<std::vector<double>>& radii_mm,
+                       double drawn_radius_mm, double steepness);
+
+/// The largest distance that float32, which mesh files hold, moves a vertex by. 0 for no vertices.
+double rounding_mm(const TriangleMesh& mesh);
+
+}  // namespace latticast
