@@ -78,8 +78,9 @@ class Comparison {
       all.push_back(predicted("error goal", options.error_goal, options));
     }
     const BranchPoint start = scaled(balance_, state_at(0.9 * what_.pressure_kpa, {}));
-    for (int digits = 1; digits <= 14; ++digits)
+    for (int digits = 1; digits <= 14; ++digits) {
       all.push_back(newton(start, std::pow(10, -digits)));
+    }
     return all;
   }
 
@@ -211,6 +212,8 @@ void Comparison::add_starts(StudyTable& table) const {
 
 }  // namespace
 
+// What is thrown ends the study with its message.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int count, char** arguments) {
   const std::filesystem::path folder = study_folder(count, arguments);
   StudyTable points("section", {"case", "method", "setting", "error", "estimate", "seconds"});
