@@ -2,9 +2,8 @@
 // Equilibrium of one section: error of the scaled coordinates against processor time.
 //   section_cost    for the page: what a state of the program's own settings costs, and its error
 //   section_starts  for the page: Newton's method from rest at the asked pressure, over 200
-//                   pressures, beside continuation
-//                   (under the program's first, coarse quadrature; what it finds beyond the
-//                   branch's end are bores closed to nothing, which a finer one does not have)
+//                   pressures, beside continuation, under the program's first quadrature (with 24
+//                   points in R far fewer roots lie beyond the branch's end)
 //   section         every point of the plot: quadrature order, Newton's tolerance, error goal
 #include <algorithm>
 #include <cmath>
