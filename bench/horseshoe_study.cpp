@@ -242,6 +242,8 @@ StudyTable law_table() {
 
 }  // namespace
 
+// What is thrown ends the study with its message.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int count, char** arguments) {
   const std::filesystem::path folder = study_folder(count, arguments);
   StudyTable points("horseshoe", {"case", "strain", "exponent", "references_differ", "method",

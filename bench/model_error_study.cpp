@@ -235,6 +235,8 @@ class Study {
 
 }  // namespace
 
+// What is thrown ends the study with its message.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int count, char** arguments) {
   const std::filesystem::path folder = study_folder(count, arguments);
   Study study;

@@ -29,8 +29,8 @@ struct Stage {
 
 std::vector<int> decades(int first, int last) {
   std::vector<int> sizes;
-  for (double size = first; size < 1.01 * last; size *= std::sqrt(10)) {
-    sizes.push_back(static_cast<int>(std::lround(size)));
+  for (int half = 0; sizes.empty() || sizes.back() < last; ++half) {
+    sizes.push_back(static_cast<int>(std::lround(first * std::pow(10, 0.5 * half))));
   }
   return sizes;
 }
@@ -85,8 +85,8 @@ void families(int count) {
 }
 
 void distinct_laws(int count) {
-  std::vector<double> widths;
-  for (int i = 0; i < count; ++i) widths.push_back(2 + 1.0 * i / count);
+  std::vector<double> widths(count);
+  for (int i = 0; i < count; ++i) widths[i] = 2 + 1.0 * i / count;
   prepare_segment(testing::columns(widths), {});
 }
 
@@ -95,10 +95,8 @@ void many_pressures(int count) {
 }
 
 std::vector<LoadCase> cases(int count, int segments) {
-  std::vector<LoadCase> result;
-  for (int i = 0; i < count; ++i) {
-    result.push_back({std::vector<double>(segments, 20.0 * (i + 1) / count)});
-  }
+  std::vector<LoadCase> result(count);
+  for (int i = 0; i < count; ++i) result[i].pressures_kpa.assign(segments, 20.0 * (i + 1) / count);
   return result;
 }
 
@@ -110,6 +108,7 @@ void many_segments(int count) {
 
 void own_columns(int count) {
   std::vector<Segment> chain;
+  chain.reserve(count);
   for (int i = 0; i < count; ++i) {
     chain.push_back(testing::columns(testing::halves(8, 3.5, 2 + 1.0 * i / count)));
   }
@@ -163,6 +162,8 @@ double exponent(const std::vector<Measure>& points) {
 
 }  // namespace
 
+// What is thrown ends the study with its message.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int count, char** arguments) {
   const std::filesystem::path folder = study_folder(count, arguments);
   StudyTable table("model_scaling", {"stage", "size", "seconds", "memory_mb"});

@@ -2,7 +2,8 @@
 // Equilibrium of one section: error of the scaled coordinates against processor time.
 //   section_cost    for the page: what a state of the program's own settings costs, and its error
 //   section_starts  for the page: Newton's method from rest at the asked pressure, over 200
-//                   pressures, beside continuation
+//                   pressures, beside continuation, under the program's first quadrature (with 24
+//                   points in R far fewer roots lie beyond the branch's end)
 //   section         every point of the plot: quadrature order, Newton's tolerance, error goal
 #include <algorithm>
 #include <cmath>
@@ -78,8 +79,9 @@ class Comparison {
       all.push_back(predicted("error goal", options.error_goal, options));
     }
     const BranchPoint start = scaled(balance_, state_at(0.9 * what_.pressure_kpa, {}));
-    for (int digits = 1; digits <= 14; ++digits)
+    for (int digits = 1; digits <= 14; ++digits) {
       all.push_back(newton(start, std::pow(10, -digits)));
+    }
     return all;
   }
 
@@ -211,6 +213,8 @@ void Comparison::add_starts(StudyTable& table) const {
 
 }  // namespace
 
+// What is thrown ends the study with its message.
+// NOLINTNEXTLINE(bugprone-exception-escape)
 int main(int count, char** arguments) {
   const std::filesystem::path folder = study_folder(count, arguments);
   StudyTable points("section", {"case", "method", "setting", "error", "estimate", "seconds"});

@@ -22,6 +22,7 @@ std::vector<std::size_t> repeats(std::span<const double> widths) {
 
 std::vector<bool> mirror_places(std::span<const double> widths) {
   const std::size_t n = widths.size();
+  if (n == 0) return {};
   const std::vector<std::size_t> back_to = repeats(widths);
   std::vector<bool> places(n, false);
   // The widths are searched for in their own reverse, gone around twice.
@@ -32,7 +33,7 @@ std::vector<bool> mirror_places(std::span<const double> widths) {
     if (widths[matched] == reversed) ++matched;
     if (matched < n) continue;
     const std::size_t begin = i + 1 - n;
-    places[(n - begin) % n] = true;
+    places[begin == 0 ? 0 : n - begin] = true;
     matched = back_to[matched - 1];
   }
   return places;

@@ -7,7 +7,7 @@
 
 namespace latticast {
 
-/// Entry p of as many as there are strands (>= 1): whether the plane through Theta = pi p/count
+/// Entry p of as many as there are strands: whether the plane through Theta = pi p/count
 /// mirrors them, that is widths[j] == widths[(p - j) mod count] for all j. Time and memory grow
 /// with the count. Widths that are not numbers mirror nothing.
 std::vector<bool> mirror_places(std::span<const double> widths);

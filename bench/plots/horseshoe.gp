@@ -5,9 +5,10 @@ set datafile separator ","
 set logscale xy
 set format xy "10^{%T}"
 set grid lc rgb "#dddddd"
-set key below
+set key below font ",11" spacing 0.95
+set bmargin 8
 set colorsequence podo
-set xlabel "processor time, s"
+set xlabel offset 0,0.3 "processor time, s"
 set ylabel "relative error of the force"
 set yrange [1e-17:1]
 table = data."/horseshoe.csv"

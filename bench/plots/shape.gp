@@ -5,9 +5,10 @@ set datafile separator ","
 set logscale xy
 set format xy "10^{%T}"
 set grid lc rgb "#dddddd"
-set key below
+set key below font ",11" spacing 0.95
+set bmargin 8
 set colorsequence podo
-set xlabel "processor time, s"
+set xlabel offset 0,0.3 "processor time, s"
 set ylabel "distance of the tip from its true place, mm"
 set yrange [1e-16:1e3]
 set title "Tip of a superimposed helix of 400 mm"

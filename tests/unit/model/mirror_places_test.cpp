@@ -23,6 +23,7 @@ std::vector<bool> places_one_by_one(const std::vector<double>& widths) {
 }
 
 TEST(MirrorPlaces, ByHand) {
+  EXPECT_TRUE(mirror_places({}).empty());
   EXPECT_EQ(mirror_places(std::vector{2.0}), std::vector{true});
   EXPECT_EQ(mirror_places(std::vector{2.0, 3.0}), (std::vector{true, false}));
   // Through the strands 0 and 2, which differ, and through no gap.
