@@ -59,7 +59,7 @@ Finding judge_state(const PlainPath& path, const State& state) {
   const double pressure = state.pressure_kpa / kpa_per_mpa;
   const ScaledState x = path.scaled(state);
   // Where the stiffness is all but singular, rounding of the forces moves the state by more.
-  const double rounding = 1e-15 / std::max(1e-8, std::abs(state.smallest_eigenvalue));
+  const double rounding = 1e-14 / std::max(1e-8, std::abs(state.smallest_eigenvalue));
   const double allowed = (1e-9 + rounding) * size(x) + 3 * state.error_estimate;
   if (!(state.error_estimate < 1e-5 * size(x))) {
     return wrong("poor state", numbers("error estimate %g", state.error_estimate, 0));
