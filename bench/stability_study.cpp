@@ -24,7 +24,7 @@ namespace {
 using namespace latticast;
 
 constexpr int per_axis = 21;
-constexpr int sample_designs = 1500;
+constexpr int sample_designs = 1000;
 constexpr unsigned seed = 1;
 constexpr int batch = 50;
 constexpr double batch_limit_s = 60;

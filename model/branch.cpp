@@ -418,15 +418,20 @@ Reached Branch::note_closure(const BranchState& beyond) {
   const double fraction = (closed_bore - here_.x[n_ - 1]) / (beyond.x[n_ - 1] - here_.x[n_ - 1]);
   BranchPoint start = between(here_.x, beyond.x, fraction);
   start[n_ - 1] = closed_bore;
-  const auto closed = corrected(start, normal);
-  if (!closed) return Reached::lost;
-  const auto finer = balance_.finer_at(closed->x);
-  if (!finer) return Reached::lost;
-  Vector imbalance = Vector::Zero(n_ + 1);
-  imbalance.head(n_) = Map<const Eigen::VectorXd>(finer->imbalance.data(), n_);
-  const Vector error = bordered(closed->balance, normal, n_).partialPivLu().solve(imbalance);
-  const double relative = std::abs(error[n_] / closed->x[n_]);
-  return end_at({LimitKind::closure, closed->x, closed->balance, relative});
+  while (true) {
+    const auto closed = corrected(start, normal);
+    if (!closed) return Reached::lost;
+    const auto finer = balance_.finer_at(closed->x);
+    if (!finer) return Reached::lost;
+    Vector imbalance = Vector::Zero(n_ + 1);
+    imbalance.head(n_) = Map<const Eigen::VectorXd>(finer->imbalance.data(), n_);
+    const Vector error = bordered(closed->balance, normal, n_).partialPivLu().solve(imbalance);
+    const double relative = std::abs(error[n_] / closed->x[n_]);
+    if (relative <= options_.error_goal || !balance_.refine(closed->x)) {
+      return end_at({LimitKind::closure, closed->x, closed->balance, relative});
+    }
+    start = closed->x;
+  }
 }
 
 bool Branch::note_bifurcation_before(const BranchState& beyond) {
