@@ -242,8 +242,9 @@ void study_stages(const std::filesystem::path& folder) {
     }
     if (triangles.empty()) continue;
     std::vector<Cell> row = {sweep.grows, triangles.back(), memory};
-    for (const std::vector<double>& of_stage : seconds)
-      row.push_back(exponent(triangles, of_stage));
+    for (const std::vector<double>& times_of_stage : seconds) {
+      row.push_back(exponent(triangles, times_of_stage));
+    }
     exponents.add(row);
   }
   times.write(folder, false);
