@@ -130,9 +130,17 @@ class Builder {
       begin(part_name(s, part));
       Solid moved{moved_mesh(rest.mesh, shapes[i].shape, s), 0, 0, rest.pieces, rest.genus};
       moved.error = moved_error(rest, moved.mesh, shapes[i].shape, s);
+      if (shapes[i].shape.bend_rad(s) == 0) keep_volume(rest, moved);
       deliver(part_name(s, part), moved);
       picture.push_back({std::move(moved.mesh), i, is_liner});
     }
+  }
+
+  // The wall is incompressible; bending alone makes one side larger and the other smaller.
+  static void keep_volume(const Solid& rest, Solid& moved) {
+    moved.volume_mm3 = rest.volume_mm3;
+    moved.volume_bound_mm3 = moved.error.volume_mm3;
+    moved.error.volume_mm3 = rest.error.volume_mm3;
   }
 #endif
 

@@ -28,7 +28,7 @@
 namespace latticast {
 namespace {
 
-constexpr double limit_s = 10;
+constexpr double limit_s = 30;
 constexpr double least_batch_s = 0.02;
 constexpr double around_mm = 2 * 3.14159265358979 * 17;
 constexpr double sine_of_36 = 0.587785252292473;
@@ -202,12 +202,13 @@ std::vector<Sweep> sweeps() {
   };
 }
 
-// Cells of one exponent per stage; a dash where a stage never took a millisecond twice.
+// Over the cases of twice the smallest's triangles and more, which what grows has a share in, and
+// of a millisecond and more; a dash where there are not two.
 Cell exponent(const std::vector<double>& triangles, const std::vector<double>& seconds) {
   std::vector<double> x;
   std::vector<double> y;
   for (std::size_t i = 0; i < seconds.size(); ++i) {
-    if (seconds[i] < 1e-3) continue;
+    if (seconds[i] < 1e-3 || triangles[i] < 2 * triangles.front()) continue;
     x.push_back(triangles[i]);
     y.push_back(seconds[i]);
   }
@@ -241,8 +242,9 @@ void study_stages(const std::filesystem::path& folder) {
     }
     if (triangles.empty()) continue;
     std::vector<Cell> row = {sweep.grows, triangles.back(), memory};
-    for (const std::vector<double>& of_stage : seconds)
-      row.push_back(exponent(triangles, of_stage));
+    for (const std::vector<double>& times_of_stage : seconds) {
+      row.push_back(exponent(triangles, times_of_stage));
+    }
     exponents.add(row);
   }
   times.write(folder, false);

@@ -6,7 +6,7 @@ set terminal svg size 800,520 font "sans,13" background "white"
 set logscale xy
 set grid
 set format xy "10^{%T}"
-set key top left
+set key outside right top
 set xlabel "triangles"
 set ylabel "time (ms)"
 file = data."/geometry_times.csv"

@@ -6,7 +6,7 @@ set terminal svg size 800,520 font "sans,13" background "white"
 set logscale xy
 set grid
 set format y "10^{%T}"
-set key top right
+set key bottom left
 of(name, column) = strcol(1) eq name ? column : NaN
 file = data."/mesh_error.csv"
 

@@ -23,6 +23,7 @@ constexpr double finest_arc_share = 0.25;    // of the radius: Clipper draws no 
 // Clipper rounds an arc's number of chords, so that one may turn by 1.5 times what is asked for;
 // its sagitta grows with the square.
 constexpr double worst_sagitta = 2.25;
+constexpr double fillet_fineness = 1 / worst_sagitta;
 
 struct IntegerGrid {
   double u_step_mm;
@@ -41,13 +42,22 @@ struct IntegerGrid {
   }
 };
 
-Path box(cInt left, cInt right, cInt length) {
-  return {{left, 0}, {right, 0}, {right, length}, {left, length}};
+Path box(cInt left, cInt right, cInt from, cInt to) {
+  return {{left, from}, {right, from}, {right, to}, {left, to}};
+}
+
+Paths part_in(const Paths& paths, const Path& window) {
+  ClipperLib::Clipper clipper;
+  clipper.AddPaths(paths, ClipperLib::ptSubject, true);
+  clipper.AddPath(window, ClipperLib::ptClip, true);
+  Paths result;
+  clipper.Execute(ClipperLib::ctIntersection, result, ClipperLib::pftNonZero,
+                  ClipperLib::pftNonZero);
+  return result;
 }
 
 // The union of the strands' copies that reach into [-margin, period + margin], with a bar on either
-// side in place of their cut ends: each of these would be rounded with more points than all that
-// is kept, and they lie at the same heights on both sides, where Clipper is slowest.
+// side in place of their cut ends: rounding each of those would take longer than all that is kept.
 Paths united_around_one_period(const Pattern& pattern, const IntegerGrid& grid, cInt margin) {
   ClipperLib::Clipper clipper;
   for (const Strand& strand : pattern.strands) {
@@ -62,11 +72,10 @@ Paths united_around_one_period(const Pattern& pattern, const IntegerGrid& grid, 
       clipper.AddPath(shifted, ClipperLib::ptSubject, true);
     }
   }
-  const cInt bar = margin;
-  for (const cInt left : {-margin - bar, period + margin}) {
-    clipper.AddPath(box(left, left + bar, grid.length), ClipperLib::ptSubject, true);
+  for (const cInt left : {-2 * margin, period + margin}) {
+    clipper.AddPath(box(left, left + margin, 0, grid.length), ClipperLib::ptSubject, true);
   }
-  clipper.AddPath(box(-margin - bar, period + margin + bar, grid.length), ClipperLib::ptClip, true);
+  clipper.AddPath(box(-2 * margin, period + 2 * margin, 0, grid.length), ClipperLib::ptClip, true);
   Paths result;
   clipper.Execute(ClipperLib::ctIntersection, result, ClipperLib::pftNonZero,
                   ClipperLib::pftNonZero);
@@ -74,21 +83,23 @@ Paths united_around_one_period(const Pattern& pattern, const IntegerGrid& grid, 
 }
 
 Paths offset(const Paths& paths, double distance, double flatness) {
-  ClipperLib::ClipperOffset offsetter(2.0, flatness / worst_sagitta);
+  ClipperLib::ClipperOffset offsetter(2.0, flatness);
   offsetter.AddPaths(paths, ClipperLib::jtRound, ClipperLib::etClosedPolygon);
   Paths result;
   offsetter.Execute(result, distance);
   return result;
 }
 
-Paths one_period_of(const Paths& paths, cInt length) {
-  ClipperLib::Clipper clipper;
-  clipper.AddPaths(paths, ClipperLib::ptSubject, true);
-  clipper.AddPath(box(0, period, length), ClipperLib::ptClip, true);
-  Paths result;
-  clipper.Execute(ClipperLib::ctIntersection, result, ClipperLib::pftNonZero,
-                  ClipperLib::pftNonZero);
-  return result;
+// Grown by the radius, and shrunk again. In between, the bars lose their rounded corners: all of an
+// arc's points shrink towards one, which Clipper meets with time that grows with their square.
+Paths closed_by_disc(const Paths& drawn, const IntegerGrid& grid, double radius, double flatness,
+                     cInt margin) {
+  const Paths grown = offset(drawn, radius, first_offset_share * flatness);
+  const cInt half = margin / 2;
+  const Path window = box(-margin - half, period + margin + half, -margin, grid.length + margin);
+  Paths closed = offset(part_in(grown, window), -radius, fillet_fineness * flatness);
+  ClipperLib::CleanPolygons(closed, nearest_points);
+  return part_in(closed, box(0, period, 0, grid.length));
 }
 
 // What lies between a fillet and its chord is c^3 / (12 r). Edges as short as a chord are taken for
@@ -116,12 +127,11 @@ Pattern with_fillets(const Pattern& pattern, double radius_mm, double flatness_m
   const double flatness = flatness_mm / grid.u_step_mm;
   const auto margin = static_cast<cInt>(4 * radius);
   const Paths drawn = united_around_one_period(pattern, grid, margin);
-  Paths closed = offset(offset(drawn, radius, first_offset_share * flatness), -radius, flatness);
-  ClipperLib::CleanPolygons(closed, nearest_points);
+  const Paths closed = closed_by_disc(drawn, grid, radius, flatness, margin);
   // The length need not be a whole number of steps.
   const double z_step_mm = pattern.length_mm / static_cast<double>(grid.length);
   Pattern result{pattern.circumference_mm, pattern.length_mm, {}};
-  for (const Path& path : one_period_of(closed, grid.length)) {
+  for (const Path& path : closed) {
     Strand strand;
     for (const auto& point : path) {
       strand.outline.push_back({static_cast<double>(point.X) * grid.u_step_mm,
@@ -132,7 +142,7 @@ Pattern with_fillets(const Pattern& pattern, double radius_mm, double flatness_m
   const double off = std::min(flatness_mm, finest_arc_share * radius_mm);
   const double rounding = (nearest_points + 1) * grid.u_step_mm;
   result.error = pattern.error;
-  result.error.distance_mm += (1 + first_offset_share) * off + rounding;
+  result.error.distance_mm += (1 + worst_sagitta * first_offset_share) * off + rounding;
   result.error.area_mm2 += area_beside_chords(result, radius_mm, off);
   return result;
 }

@@ -45,11 +45,15 @@ SolidError solid_error(const Region& region, const std::vector<std::vector<doubl
     const double ceiling = radii_mm[layer].back();
     const DrawingError plane = region_error(region, static_cast<int>(layer));
     const double grown = std::max(1.0, ceiling / drawn_radius_mm);
-    const double walls = wall_error_mm(deepest_level(radii_mm[layer]), angle, steepness) +
-                         ceiling * shift + grown * plane.distance_mm;
-    // A wall's upper edge stands beside its place, and on a corner that stands out.
-    error.surface_mm =
-        std::max(error.surface_mm, std::hypot(walls, chord_error_mm(ceiling, angle)));
+    const double depth = deepest_level(radii_mm[layer]);
+    const double bulge = wall_error_mm(depth, angle, steepness);
+    const double chords = chord_error_mm(ceiling, angle);
+    // A wall's upper edge stands beside its place, and on a corner that stands out. Below it the
+    // wall bulges by 16 s (1/2 - s) of its most, s being the share of its depth.
+    const double edge = ceiling * shift + grown * plane.distance_mm;
+    const double over = std::min(0.25, chords / depth);
+    const double rim = std::hypot(edge + 16 * over * (0.5 - over) * bulge, chords);
+    error.surface_mm = std::max({error.surface_mm, rim, edge + bulge});
     error.volume_mm3 +=
         plane.area_mm2 * (ceiling * ceiling - floor * floor) / (2 * drawn_radius_mm);
   }
