@@ -14,15 +14,15 @@ namespace {
 
 constexpr double kpa_per_mpa = 1000;
 
-Finding verified(const std::string& kind) {
+Judgement verified(const std::string& kind) {
   return {Verdict::verified, kind, ""};
 }
 
-Finding refused(const std::string& kind, const std::string& detail) {
+Judgement refused(const std::string& kind, const std::string& detail) {
   return {Verdict::refused, kind, detail};
 }
 
-Finding wrong(const std::string& kind, const std::string& detail = "") {
+Judgement wrong(const std::string& kind, const std::string& detail = "") {
   return {Verdict::wrong, kind, detail};
 }
 
@@ -54,7 +54,7 @@ bool is_finite(const State& state) {
   return !std::isnan(state.smallest_eigenvalue);
 }
 
-Finding judge_state(const PlainPath& path, const State& state) {
+Judgement judge_state(const PlainPath& path, const State& state) {
   if (!is_finite(state)) return wrong("not a number");
   const double pressure = state.pressure_kpa / kpa_per_mpa;
   const ScaledState x = path.scaled(state);
@@ -116,7 +116,7 @@ bool turns_there(const PlainPath& path, const ScaledState& x, double pressure,
   return false;
 }
 
-Finding judge_turning_back(const PlainPath& path, const LimitPoint& limit) {
+Judgement judge_turning_back(const PlainPath& path, const LimitPoint& limit) {
   const double pressure = limit.pressure_kpa / kpa_per_mpa;
   const ScaledState x = path.scaled(limit.state);
   const auto at = path.stiffness(x, pressure);
@@ -138,7 +138,7 @@ Finding judge_turning_back(const PlainPath& path, const LimitPoint& limit) {
 }
 
 /// Load stepping gets there; beyond, it does not arrive, or where nothing can be.
-Finding judge_end(const PlainPath& path, const LimitPoint& limit) {
+Judgement judge_end(const PlainPath& path, const LimitPoint& limit) {
   if (!is_finite(limit.state) || limit.name.empty()) return wrong("not a number");
   if (limit.kind == LimitKind::limit_point) return judge_turning_back(path, limit);
   const double pressure = limit.pressure_kpa / kpa_per_mpa;
@@ -156,8 +156,8 @@ Finding judge_end(const PlainPath& path, const LimitPoint& limit) {
   return refused(kind, limit.name);
 }
 
-Finding judge_loss(const PlainPath& path, const Section& section, double pressure_kpa,
-                   const std::string& message) {
+Judgement judge_loss(const PlainPath& path, const Section& section, double pressure_kpa,
+                     const std::string& message) {
   const PlainPath::End end = path.follow_to(pressure_kpa / kpa_per_mpa, false);
   const std::string stepped = numbers("; load stepping comes to %g of %g kPa",
                                       end.pressure_mpa * kpa_per_mpa, pressure_kpa);
@@ -177,8 +177,8 @@ Finding judge_loss(const PlainPath& path, const Section& section, double pressur
   return refused("instability", message);
 }
 
-Finding judge(const PlainPath& path, const Section& section, const Response& response,
-              std::size_t i, double pressure_kpa) {
+Judgement judge(const PlainPath& path, const Section& section, const Response& response,
+                std::size_t i, double pressure_kpa) {
   if (response.states[i]) return judge_state(path, *response.states[i]);
   for (const LimitPoint& limit : response.limit_points) {
     const bool ends = limit.kind != LimitKind::bifurcation;
@@ -192,7 +192,7 @@ Finding judge(const PlainPath& path, const Section& section, const Response& res
 }
 
 /// Both balances of model/rods.h, each against its liner's share, put to the columns one by one.
-Finding judge_rods_state(const Rods& rods, Held held, const State& state) {
+Judgement judge_rods_state(const Rods& rods, Held held, const State& state) {
   if (!is_finite(state)) return wrong("not a number");
   const double e0 = state.stretch - 1;
   const double bend = state.bend_rad_per_mm[1] * rods.liner_outer_radius_mm;
@@ -225,8 +225,8 @@ Finding judge_rods_state(const Rods& rods, Held held, const State& state) {
 }
 
 /// The last pressure with a state must have a column at its law's end, or a wall without length.
-Finding judge_rods_refusal(const PreparedSegment& segment, Held held, double pressure_kpa,
-                           const std::string& message) {
+Judgement judge_rods_refusal(const PreparedSegment& segment, Held held, double pressure_kpa,
+                             const std::string& message) {
   if (message.empty()) return wrong("no reason");
   double low = 0;
   double high = 1;
@@ -257,13 +257,13 @@ Finding judge_rods_refusal(const PreparedSegment& segment, Held held, double pre
   return wrong("gave up", message);
 }
 
-std::vector<Finding> all(const AtlasDesign& design, const Finding& finding) {
-  return std::vector<Finding>(design.pressures_kpa.size(), finding);
+std::vector<Judgement> all(const AtlasDesign& design, const Judgement& finding) {
+  return std::vector<Judgement>(design.pressures_kpa.size(), finding);
 }
 
 }  // namespace
 
-std::vector<Finding> examine(const AtlasDesign& design) {
+std::vector<Judgement> examine(const AtlasDesign& design) {
   Response response;
   std::optional<PreparedSegment> prepared;
   try {
@@ -275,7 +275,7 @@ std::vector<Finding> examine(const AtlasDesign& design) {
   } catch (const std::exception& reason) {
     return all(design, wrong("exception", reason.what()));
   }
-  std::vector<Finding> findings;
+  std::vector<Judgement> findings;
   if (const auto* rods = std::get_if<Rods>(&prepared->section)) {
     for (std::size_t i = 0; i < response.states.size(); ++i) {
       findings.push_back(response.states[i]

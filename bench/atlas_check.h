@@ -26,7 +26,7 @@ enum class Verdict {
 
 /// One answer. `kind` is short and one of few: "stable", "unstable", "limit point", "asymptote",
 /// "closure", "stretch limit", "law's end", "instability", "unsupported", or what is wrong.
-struct Finding {
+struct Judgement {
   Verdict verdict = Verdict::wrong;
   std::string kind;
   std::string detail;
@@ -41,7 +41,7 @@ struct Finding {
 ///                negative on the other, and load stepping ends there; asymptote and closure: load
 ///                stepping gets there and no further
 ///   otherwise:   the message names the reason, and load stepping agrees with it
-std::vector<Finding> examine(const AtlasDesign& design);
+std::vector<Judgement> examine(const AtlasDesign& design);
 
 /// Pressure in kPa that strains the section by about a tenth, from the stiffness at rest; where
 /// that cannot be prepared, what strains the liner alone.

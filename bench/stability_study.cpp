@@ -32,17 +32,17 @@ constexpr double design_limit_s = 10;
 
 using DesignAt = std::function<AtlasDesign(int)>;
 
-std::string text_of(const std::vector<Finding>& findings) {
+std::string text_of(const std::vector<Judgement>& findings) {
   std::string text;
-  for (const Finding& finding : findings) {
+  for (const Judgement& finding : findings) {
     text += fmt::format("{}\t{}\t{}\n", static_cast<int>(finding.verdict), finding.kind,
                         finding.detail);
   }
   return text;
 }
 
-std::vector<Finding> findings_of(const std::string& text) {
-  std::vector<Finding> findings;
+std::vector<Judgement> findings_of(const std::string& text) {
+  std::vector<Judgement> findings;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     const std::size_t first = line.find('\t');
@@ -54,7 +54,7 @@ std::vector<Finding> findings_of(const std::string& text) {
 }
 
 /// Findings of designs begin .. end - 1, in that order.
-std::vector<Finding> examine_batch(const DesignAt& design_at, int begin, int end) {
+std::vector<Judgement> examine_batch(const DesignAt& design_at, int begin, int end) {
   const Cost cost = in_own_process(
       [&] {
         std::string text;
@@ -63,7 +63,7 @@ std::vector<Finding> examine_batch(const DesignAt& design_at, int begin, int end
       },
       end - begin > 1 ? batch_limit_s : design_limit_s);
   if (cost.finished) return findings_of(cost.result);
-  std::vector<Finding> findings;
+  std::vector<Judgement> findings;
   if (end - begin == 1) {
     const AtlasDesign design = design_at(begin);
     const bool slow = cost.seconds > 0.9 * design_limit_s;
@@ -71,14 +71,14 @@ std::vector<Finding> examine_batch(const DesignAt& design_at, int begin, int end
     return findings;
   }
   for (int i = begin; i < end; ++i) {
-    for (const Finding& finding : examine_batch(design_at, i, i + 1)) findings.push_back(finding);
+    for (const Judgement& finding : examine_batch(design_at, i, i + 1)) findings.push_back(finding);
   }
   return findings;
 }
 
 /// What a point is coloured by: 0 stable, 1 unstable, 2 the branch has ended, 3 a law has ended,
 /// 4 not supported, 5 wrong.
-int colour(const Finding& finding) {
+int colour(const Judgement& finding) {
   static const std::map<std::string, int> colours = {
       {"stable", 0},    {"unstable", 1},    {"limit point", 2},    {"asymptote", 2},
       {"closure", 2},   {"instability", 2}, {"no length left", 2}, {"stretch limit", 3},
@@ -99,16 +99,16 @@ struct Tables {
 
 /// Runs all designs of one part and enters them.
 void run_part(const std::string& name, int designs, const DesignAt& design_at, Tables& tables,
-              const std::function<void(int, const Finding&)>& enter) {
+              const std::function<void(int, const Judgement&)>& enter) {
   std::array<int, 6> counts{};
   for (int begin = 0; begin < designs; begin += batch) {
     const int end = std::min(begin + batch, designs);
-    const std::vector<Finding> findings = examine_batch(design_at, begin, end);
+    const std::vector<Judgement> findings = examine_batch(design_at, begin, end);
     std::size_t next = 0;
     for (int i = begin; i < end; ++i) {
       const AtlasDesign design = design_at(i);
       for (std::size_t j = 0; j < design.pressures_kpa.size(); ++j) {
-        const Finding& finding = findings.at(next++);
+        const Judgement& finding = findings.at(next++);
         ++counts[colour(finding)];
         ++tables.total[colour(finding)];
         if (enter) enter(i, finding);
@@ -135,7 +135,7 @@ int main(int count, char** arguments) {
     run_part(
         map.name, static_cast<int>(map.designs.size()), [&](int i) { return map.designs[i]; },
         tables,
-        [&](int i, const Finding& finding) {
+        [&](int i, const Judgement& finding) {
           tables.map.add({map.name, map.x.values[i / rows], map.y.values[i % rows],
                           static_cast<double>(i / rows), static_cast<double>(i % rows),
                           static_cast<double>(colour(finding)), finding.kind});

@@ -56,7 +56,7 @@ unset tics
 unset border
 set xrange [0:6]
 set yrange [0:1]
-array words[6] = ["stable state", "unstable state", "branch ended", "law ended", "not supported", "wrong"]
+array words[6] = ["stable", "unstable", "branch ended", "law ended", "unsupported", "wrong"]
 set for [i=1:6] label i words[i] at i - 0.76, 0.5 left font ",12"
 plot for [i=1:6] '+' using (i - 0.87):(0.5):(0.07):(0.18):(i - 1.0) every ::0::0 with boxxyerror fillcolor palette
 unset multiplot

@@ -16,7 +16,7 @@ namespace latticast::testing {
 namespace {
 
 void expect_none_wrong(const AtlasDesign& design, const std::string& name) {
-  const std::vector<Finding> findings = examine(design);
+  const std::vector<Judgement> findings = examine(design);
   ASSERT_EQ(findings.size(), design.pressures_kpa.size());
   for (std::size_t i = 0; i < findings.size(); ++i) {
     EXPECT_NE(findings[i].verdict, Verdict::wrong)
