@@ -172,6 +172,10 @@ Judgement judge_loss(const PlainPath& path, const Section& section, double press
     if (!end.arrived) return refused("law's end", message);
     return wrong("gave up", message + stepped);
   }
+  if (message.find("hundredfold") != std::string::npos) {
+    if (!end.arrived || size(end.x) > 50) return refused("growth", message);
+    return wrong("gave up", message + stepped);
+  }
   if (end.arrived) return wrong("gave up", message + stepped);
   if (message.find(" kPa: ") == std::string::npos) return wrong("no reason", message + stepped);
   return refused("instability", message);

@@ -69,7 +69,10 @@ bool read_until_end(int pipe, double limit_s, std::string& text) {
   }
 }
 
-[[noreturn]] void run_child(const std::function<std::string()>& call, int pipe) {
+[[noreturn]] void run_child(const std::function<std::string()>& call, int pipe, double limit_s) {
+  const auto seconds = static_cast<rlim_t>(limit_s) + 1;
+  const rlimit limit{seconds, seconds};
+  setrlimit(RLIMIT_CPU, &limit);
   int status = 0;
   try {
     const std::string result = call();
@@ -170,11 +173,12 @@ Cost in_own_process(const std::function<std::string()>& call, double limit_s) {
   if (child < 0) throw std::runtime_error("cannot start a process");
   if (child == 0) {
     close(ends[0]);
-    run_child(call, ends[1]);
+    run_child(call, ends[1], limit_s);
   }
   close(ends[1]);
   Cost cost;
-  const bool in_time = read_until_end(ends[0], limit_s, cost.result);
+  // Others may keep the processor busy; but a child that sleeps must end, too.
+  const bool in_time = read_until_end(ends[0], 10 * limit_s, cost.result);
   close(ends[0]);
   if (!in_time) kill(child, SIGKILL);
   int status = 0;

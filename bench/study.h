@@ -54,7 +54,7 @@ double peak_memory_mb();
 
 /// What a call in a process of its own needed.
 struct Cost {
-  bool finished = false;  ///< false: it threw, crashed or ran longer than the limit
+  bool finished = false;  ///< false: it threw, crashed or needed more processor time than the limit
   double seconds = 0;     ///< processor time, user and system
   double memory_mb = 0;   ///< largest resident memory, the parent's share at the start included
   std::string result;     ///< what the call returned

@@ -22,6 +22,7 @@ constexpr double first_reach = 0.3;
 constexpr double smallest_reach = 1e-10;
 constexpr double path_accuracy = 1e-7;
 constexpr double endless_growth = 1e3;          // of a scaled coordinate, whose order is 1
+constexpr double near_its_bound = 0.01;         // of an asymptote's pressure, what may be left
 constexpr double bifurcation_accuracy = 1e-12;  // of its pressure, relative
 constexpr double turning_goal = 1e-9;           // of the state where an angle turns back
 constexpr double closed_bore = -0.999;          // a/R_i - 1, always the last free coordinate
@@ -207,7 +208,8 @@ Reached Branch::advance_to(double pressure_mpa) {
     const Reached reached = follow_to(target, sign);
     // Close to a rubber's stretch limit a coarse quadrature loses its solution before a fine one
     // does.
-    if (reached != Reached::lost || at_law_end() || !refine_here()) return reached;
+    if (reached != Reached::lost || at_law_end() || has_grown_away() || !refine_here())
+      return reached;
     reach_ = first_reach;
   }
 }
@@ -229,7 +231,7 @@ Reached Branch::follow_to(double target, double sign) {
     }
     if (step.state.tangent[n_] * sign <= 0) {
       // So far out the slope of the pressure is below rounding.
-      if (largest_growth() > 0.1 * endless_growth) return end_at(asymptote_here());
+      if (largest_growth() > 0.1 * endless_growth) return end_of_growth();
       const auto limit = limit_point_before(step.state);
       if (limit && !beyond_target(limit->x[n_])) return end_at(*limit);
       if (limit && land_before(*limit, target)) return finish_landing();
@@ -247,11 +249,11 @@ Reached Branch::follow_to(double target, double sign) {
     here_ = step.state;
     if (at_law_end()) return Reached::lost;
     const double next = length * std::clamp(change, 0.5, 4.0);
-    reach_ = landing ? std::max(reach_, next) : next;
+    reach_ = std::min(landing ? std::max(reach_, next) : next, longest_step());
     if (landing) return finish_landing();
     // The path must be the section's own, not a coarse quadrature's.
     refine_to(path_accuracy);
-    if (largest_growth() > endless_growth) return end_at(asymptote_here());
+    if (largest_growth() > endless_growth) return end_of_growth();
   }
   return Reached::lost;
 }
@@ -296,6 +298,22 @@ double Branch::largest_growth() const {
   double growth = 0;
   for (int i = 0; i < n_; ++i) growth = std::max(growth, std::abs(here_.x[i]));
   return growth;
+}
+
+/// A branch may turn within a share of what it has come, however straight it seems: another one
+/// runs beside it where stiff strands snap.
+double Branch::longest_step() const {
+  return 0.25 * std::max(2.0, 1 + std::max(largest_growth(), std::abs(here_.x[n_])));
+}
+
+bool Branch::has_grown_away() const {
+  return largest_growth() > 0.1 * endless_growth;
+}
+
+/// Where the pressure still rises noticeably, it has no bound that could be named.
+Reached Branch::end_of_growth() {
+  const CriticalPoint asymptote = asymptote_here();
+  return asymptote.pressure_error < near_its_bound ? end_at(asymptote) : Reached::lost;
 }
 
 /// A soft tube can widen without end while the pressure tends to a bound (a neo-Hookean tube of

@@ -73,6 +73,9 @@ class Branch {
   bool is_connected(const BranchPoint& limit);
   Reached end_at(const CriticalPoint& end);
   double largest_growth() const;
+  double longest_step() const;
+  bool has_grown_away() const;
+  Reached end_of_growth();
   CriticalPoint asymptote_here() const;
   bool land_before(const CriticalPoint& limit, double target);
   std::optional<CriticalPoint> limit_point_before(const BranchState& beyond);

@@ -66,6 +66,11 @@ std::string limit_name(const CriticalPoint& point, double pressure_kpa) {
 
 /// Why a path could not be followed further, where the model itself gives the reason.
 std::string reason_of_loss(const Balance& balance, const BranchState& here) {
+  const auto beyond_a_hundred = [](double x) { return std::abs(x) > 100; };
+  const int n = balance.free_count();
+  if (std::any_of(here.x.begin(), here.x.begin() + n, beyond_a_hundred)) {
+    return ": the tube has grown more than a hundredfold there, which no material stands";
+  }
   const Section& section = balance.section();
   const Deformation q = balance.deformation(here.x);
   if (stretch_limit_used(section, q) > 0.99) {

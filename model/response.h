@@ -66,7 +66,8 @@ struct State {
 enum class LimitKind {
   limit_point,  ///< the branch turns back: ballooning when P > 0; no equilibrium beyond on this
                 ///< branch
-  asymptote,    ///< the state grows without end as this pressure is approached; none beyond either
+  asymptote,    ///< the state grows without end as this pressure is approached, which at a
+                ///< thousandfold growth is less than 1 % away; none beyond either
   closure,      ///< suction has closed the bore to R_i / 1000; contact is not modelled
   bifurcation   ///< the branch goes on, its states beyond are unstable
 };

@@ -151,5 +151,40 @@ TEST(ExtremeCases, LawsThatEndAreNamedInFewSteps) {
   EXPECT_NE(stretched.message.find("stretch limit"), std::string::npos) << stretched.message;
 }
 
+/// Asked for at once, a far pressure must meet the same end as many near ones: a wide tube's branch
+/// passes close by another one.
+TEST(ExtremeCases, FarRequestsMeetTheFirstEnd) {
+  AtlasDesign design;
+  design.segment = tube(3.0372742732772959, 3.0435057613748395, NeoHookean{1});
+  design.segment.length_mm = 0.36726081381790343;
+  design.segment.lattice = layer(0.043264342665213923, 2.5943e6);
+  design.segment.lattice->rings = Rings{7, std::nullopt, 0.0021757722566343959};
+  design.segment.lattice->grids = {grid(179.88644572598727, 3, 0.00056651077243027165),
+                                   grid(138.31590675347712, 23, 0.0095667529315808693)};
+  design.held.stretch = true;
+  design.pressures_kpa = {6.48686e7};
+  expect_none_wrong(design, "stretch held");
+  const Response far = predict(design.segment, design.model, design.pressures_kpa, design.held);
+  const std::vector<double> many = {1e6, 2e6, 2.5e6, 2.8e6, 2.9e6, 2.94e6, 3e6};
+  const Response near = predict(design.segment, design.model, many, design.held);
+  ASSERT_EQ(far.limit_points.size(), 1U);
+  ASSERT_EQ(near.limit_points.size(), 1U);
+  EXPECT_EQ(far.limit_points[0].kind, LimitKind::limit_point);
+  EXPECT_NEAR(far.limit_points[0].pressure_kpa, near.limit_points[0].pressure_kpa, 1e-3);
+}
+
+/// A tube that grows on and on while its pressure still rises has no bound that could be named.
+TEST(ExtremeCases, GrowthWithoutABoundIsNoAsymptote) {
+  AtlasDesign design;
+  design.segment = tube(11.767445776899084, 12.945239872703606, NeoHookean{1});
+  design.segment.length_mm = 4.5213869835606317;
+  design.segment.lattice = layer(0.069941075702162472, 5.78027e6);
+  design.segment.lattice->rings = Rings{3, std::nullopt, 0.21806948742567003};
+  design.segment.lattice->grids = {grid(179.97045520748276, 8, 8.4202792710171055e-05)};
+  design.held.bend = true;
+  design.pressures_kpa = {165501.06481463448, 1e8};
+  expect_none_wrong(design, "bending held");
+}
+
 }  // namespace
 }  // namespace latticast::testing
