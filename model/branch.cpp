@@ -208,8 +208,8 @@ Reached Branch::advance_to(double pressure_mpa) {
     const Reached reached = follow_to(target, sign);
     // Close to a rubber's stretch limit a coarse quadrature loses its solution before a fine one
     // does.
-    if (reached != Reached::lost || at_law_end() || has_grown_away() || !refine_here())
-      return reached;
+    const bool final = reached != Reached::lost || at_law_end() || has_grown_away();
+    if (final || !refine_here()) return reached;
     reach_ = first_reach;
   }
 }
