@@ -134,7 +134,7 @@ include_violations() {
 # Designs that users copy (examples) and test data carry no licence line of their own.
 licence_violations() {
   { grep -E '(\.(h|cpp|in|cmake|sh|py|toml)|(^|/)CMakeLists\.txt|^dev|^\.ci/run)$' || true; } |
-    { grep -vE '^(examples|tests/golden)/' || true; } |
+    { grep -vE '^(examples|tests/golden|tests/checks)/' || true; } |
     while read -r file; do
       head -n 2 "$file" | awk -v file="$file" '
         NR == 1 && /^#!/ { script = 1 }
