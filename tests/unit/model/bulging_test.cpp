@@ -139,7 +139,7 @@ TEST(LinerBulges, VanishWithTheGap) {
 // rises to (mu/lambda) ln(R_m/R_i) as it grows without end (the closed form of MODEL.md section 3
 // with D = 0).
 TEST(LinerBulges, BalloonAsABareTubeBetweenFarRings) {
-  const Segment segment = ringed(4000);
+  const Segment segment = ringed(1e6);
   const PreparedSegment prepared = prepare_segment(segment, {});
   State state;
   state.stretch = 1.1;
