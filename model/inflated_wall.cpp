@@ -10,12 +10,19 @@ double WallStretch::first_invariant_minus_3() const {
   return std::max(0.0, hoop * hoop + axial * axial + shear * shear + across() * across() - 3);
 }
 
-double WallStretch::largest_principal() const {
+double WallStretch::largest_in_wall() const {
   // Eigenvalues of F F^T in the wall: their sum, and their product (hoop axial)^2.
   const double mean = 0.5 * (hoop * hoop + shear * shear + axial * axial);
   const double product = hoop * hoop * axial * axial;
-  const double in_wall = std::sqrt(mean + std::sqrt(std::max(0.0, mean * mean - product)));
-  return std::max(in_wall, across());
+  return std::sqrt(mean + std::sqrt(std::max(0.0, mean * mean - product)));
+}
+
+double WallStretch::largest_principal() const {
+  return std::max(largest_in_wall(), across());
+}
+
+double WallStretch::least_in_wall() const {
+  return hoop * axial / largest_in_wall();
 }
 
 double WallStretch::along(double angle_rad) const {

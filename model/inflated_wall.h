@@ -23,6 +23,10 @@ struct WallStretch {
   /// The largest of the three principal stretches.
   double largest_principal() const;
 
+  /// The larger and the smaller of the two principal stretches in the wall.
+  double largest_in_wall() const;
+  double least_in_wall() const;
+
   /// |F A| of a strand that rests at `angle_rad` from the circumference.
   double along(double angle_rad) const;
 

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checks/bulging_checks.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <variant>
+
+#include <fmt/core.h>
+
+#include "geometry/pattern/rings.h"
+#include "model/bulging.h"
+#include "model/horseshoe_strands.h"
+
+namespace latticast {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// A cap of this height over its gap is half as high as a semicircle, from where its roundness no
+// longer grows with it.
+constexpr double highest_bulge = 0.25;
+
+/// What one kind of gap's bulge is at a state.
+Bulge bulge_at(const LoadedSegment& loaded, std::size_t index, const State& state) {
+  std::vector<Bulge> bulges = liner_bulges(*loaded.segment, loaded.prepared, state);
+  return index < bulges.size() ? bulges[index] : Bulge{};
+}
+
+std::string more_support(const Bulge& bulge) {
+  return bulge.members == "rings" ? "more rings" : "more strands";
+}
+
+bool add_ballooning(const LoadedSegment& loaded, std::size_t index, const std::string& members,
+                    CheckFindings& findings) {
+  Measure measure{"liner-balloons", "liner between " + members, "kPa", 0, true, {}};
+  measure.value = [&](const State& state) {
+    const Bulge bulge = bulge_at(loaded, index, state);
+    return bulge.balloons() ? 1000 * (bulge.load_mpa - bulge.largest_load_mpa) : 0;
+  };
+  const auto beyond = excess(loaded, measure);
+  if (!beyond) return false;
+  const Response there = predict(loaded.prepared, std::array{beyond->worst_kpa});
+  const Bulge bulge = bulge_at(loaded, index, *there.states[0]);
+  CheckFinding finding = finding_of(loaded, measure, *beyond);
+  finding.value = 1000 * bulge.load_mpa;
+  finding.limit = 1000 * bulge.largest_load_mpa;
+  finding.message = fmt::format(
+      "the liner balloons through its gaps from {:.3g} kPa on: at {:.4g} kPa the gap is {:.3g} mm "
+      "wide, and the wall in it bears {:.3g} kPa of the {:.3g} kPa that the lattice leaves to it",
+      beyond->from_kpa, beyond->worst_kpa, bulge.gap_mm, *finding.limit, *finding.value);
+  finding.remedy =
+      pressure_remedy(beyond->safe_kpa) + ", a thicker liner, or " + more_support(bulge);
+  findings.push_back(std::move(finding));
+  return true;
+}
+
+void add_bulging(const LoadedSegment& loaded, std::size_t index, const std::string& members,
+                 CheckFindings& findings) {
+  Measure measure{
+      "liner-bulges", "liner between " + members, "of the gap", highest_bulge, true, {}};
+  measure.value = [&](const State& state) {
+    const Bulge bulge = bulge_at(loaded, index, state);
+    if (!(bulge.gap_mm > 0)) return 0.0;
+    return bulge.balloons() ? 2.0 : bulge.height_mm / bulge.gap_mm;
+  };
+  const auto beyond = excess(loaded, measure);
+  if (!beyond) return;
+  const Response there = predict(loaded.prepared, std::array{beyond->worst_kpa});
+  const Bulge bulge = bulge_at(loaded, index, *there.states[0]);
+  CheckFinding finding = finding_of(loaded, measure, *beyond);
+  finding.message = fmt::format(
+      "the liner comes out of its gaps by more than a quarter of their width from {:.3g} kPa on; "
+      "at {:.4g} kPa by {:.3g} mm from gaps of {:.3g} mm",
+      beyond->from_kpa, beyond->worst_kpa, bulge.height_mm, bulge.gap_mm);
+  finding.remedy =
+      pressure_remedy(beyond->safe_kpa) + ", a thicker liner, or " + more_support(bulge);
+  findings.push_back(std::move(finding));
+}
+
+/// Farther from a ring than this, over pi/2, a liner at rest hardly feels it: the rate at which a
+/// disturbance decays along a tube whose wall bends, shears and resists widening.
+double longest_clear_span_mm(const Liner& liner, double shear_modulus_mpa) {
+  const double thickness = liner.thickness_mm;
+  const double middle = liner.inner_radius_mm + 0.5 * thickness;
+  const double widening = 4 * shear_modulus_mpa * thickness / (middle * middle);
+  const double bending = shear_modulus_mpa * std::pow(thickness, 3) / 3;
+  const double shear = 5.0 / 6 * shear_modulus_mpa * thickness;
+  // Roots of bending x^2 - widening bending/shear x + widening = 0, x the square of the rate.
+  const double half = 0.5 * widening / shear;
+  const double product = widening / bending;
+  const double rate = half * half < product ? std::sqrt(0.5 * (std::sqrt(product) + half))
+                                            : std::sqrt(half - std::sqrt(half * half - product));
+  return pi / rate;
+}
+
+/// Strips that wind around the tube hold it, too: E f_t cos^4 alpha h/R_c^2 against the liner's.
+bool strands_hold_the_tube(const Segment& segment, double shear_modulus_mpa) {
+  const Lattice& lattice = *segment.lattice;
+  const double radius = segment.lattice_mid_radius_mm();
+  double held = 0;
+  for (const Grid& grid : lattice.grids) {
+    if (grid.horseshoe) continue;
+    const double angle = grid.angle_deg * pi / 180;
+    double width = 0;
+    for (const double w : grid.widths_mm) width += w;
+    const double fraction = width / (2 * pi * radius * std::sin(angle));
+    held += strand_modulus_mpa(lattice) * fraction * std::pow(std::cos(angle), 4) *
+            lattice.thickness_mm;
+  }
+  return held > 4 * shear_modulus_mpa * segment.liner.thickness_mm;
+}
+
+void check_ring_distance(const LoadedSegment& loaded, CheckFindings& findings) {
+  const Segment& segment = *loaded.segment;
+  if (!segment.lattice || !segment.lattice->rings) return;
+  const Rings& rings = *segment.lattice->rings;
+  if (ring_centres_mm(rings, segment.length_mm).size() < 2) return;
+  const auto* linear = std::get_if<Linear>(&segment.liner.material.law);
+  const double modulus =
+      linear ? linear->youngs_modulus_mpa / 3 : rest_shear_modulus(segment.liner.material.law);
+  if (strands_hold_the_tube(segment, modulus)) return;
+  const double clear = ring_pitch_mm(rings, segment.length_mm) - rings.width_mm;
+  const double limit = longest_clear_span_mm(segment.liner, modulus);
+  if (!clearly_above(clear, limit)) return;
+  CheckFinding finding = check_finding("rings-too-far");
+  finding.segment = loaded.number;
+  finding.part = "rings";
+  finding.value = clear;
+  finding.limit = limit;
+  finding.unit = "mm";
+  finding.message = fmt::format(
+      "are {:.3g} mm apart; beyond {:.3g} mm this liner does not feel them in between, and the "
+      "prediction, which spreads them evenly, is too stiff",
+      clear, limit);
+  finding.remedy = fmt::format("pitch = {:.3g}", std::floor(10 * (limit + rings.width_mm)) / 10);
+  findings.push_back(std::move(finding));
+}
+
+}  // namespace
+
+void check_bulging(const LoadedSegment& loaded, CheckFindings& findings) {
+  check_ring_distance(loaded, findings);
+  const std::vector<const State*> states = loaded.states();
+  if (states.empty()) return;
+  const std::vector<Bulge> kinds = liner_bulges(*loaded.segment, loaded.prepared, *states.back());
+  for (std::size_t i = 0; i < kinds.size(); ++i) {
+    if (add_ballooning(loaded, i, kinds[i].members, findings)) continue;
+    add_bulging(loaded, i, kinds[i].members, findings);
+  }
+}
+
+}  // namespace latticast
