@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checks/bulging_checks.h"
 
-#include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <variant>
 
@@ -21,60 +21,75 @@ constexpr double pi = std::numbers::pi;
 // longer grows with it.
 constexpr double highest_bulge = 0.25;
 
-/// What one kind of gap's bulge is at a state.
-Bulge bulge_at(const LoadedSegment& loaded, std::size_t index, const State& state) {
-  std::vector<Bulge> bulges = liner_bulges(*loaded.segment, loaded.prepared, state);
-  return index < bulges.size() ? bulges[index] : Bulge{};
+/// Bulges of one segment, found once for every pressure that is looked at.
+class Bulges {
+ public:
+  explicit Bulges(const LoadedSegment& loaded) : loaded_(loaded) {}
+
+  const std::vector<Bulge>& at(const State& state) {
+    auto& bulges = found_[state.pressure_kpa];
+    if (bulges.empty()) bulges = liner_bulges(*loaded_.segment, loaded_.prepared, state);
+    return bulges;
+  }
+
+  const Bulge& at_kpa(double pressure_kpa, std::size_t kind) const {
+    return found_.at(pressure_kpa)[kind];
+  }
+
+ private:
+  const LoadedSegment& loaded_;
+  std::map<double, std::vector<Bulge>> found_;
+};
+
+std::string part(const Bulge& bulge) {
+  return "liner between " + bulge.members;
 }
 
-std::string more_support(const Bulge& bulge) {
-  return bulge.members == "rings" ? "more rings" : "more strands";
+std::string remedy(const Excess& beyond, const Bulge& bulge) {
+  return fmt::format("{}, a thicker liner, or more {}", pressure_remedy(beyond.safe_kpa),
+                     bulge.members == "rings" ? "rings" : "strands");
 }
 
-bool add_ballooning(const LoadedSegment& loaded, std::size_t index, const std::string& members,
+bool add_ballooning(const LoadedSegment& loaded, Bulges& bulges, std::size_t kind,
                     CheckFindings& findings) {
-  Measure measure{"liner-balloons", "liner between " + members, "kPa", 0, true, {}};
+  Measure measure{"liner-balloons", "", "kPa", 0, true, {}};
   measure.value = [&](const State& state) {
-    const Bulge bulge = bulge_at(loaded, index, state);
+    const Bulge& bulge = bulges.at(state)[kind];
     return bulge.balloons() ? 1000 * (bulge.load_mpa - bulge.largest_load_mpa) : 0;
   };
   const auto beyond = excess(loaded, measure);
   if (!beyond) return false;
-  const Response there = predict(loaded.prepared, std::array{beyond->worst_kpa});
-  const Bulge bulge = bulge_at(loaded, index, *there.states[0]);
+  const Bulge& bulge = bulges.at_kpa(beyond->worst_kpa, kind);
+  measure.part = part(bulge);
   CheckFinding finding = finding_of(loaded, measure, *beyond);
   finding.value = 1000 * bulge.load_mpa;
   finding.limit = 1000 * bulge.largest_load_mpa;
   finding.message = fmt::format(
-      "the liner balloons through its gaps from {:.3g} kPa on: at {:.4g} kPa the gap is {:.3g} mm "
-      "wide, and the wall in it bears {:.3g} kPa of the {:.3g} kPa that the lattice leaves to it",
-      beyond->from_kpa, beyond->worst_kpa, bulge.gap_mm, *finding.limit, *finding.value);
-  finding.remedy =
-      pressure_remedy(beyond->safe_kpa) + ", a thicker liner, or " + more_support(bulge);
+      "balloons through the gaps from {:.3g} kPa on: at {:.4g} kPa they are {:.3g} mm wide, and "
+      "the lattice holds back {:.3g} kPa beside them, of which the wall in them bears {:.3g} kPa",
+      beyond->from_kpa, beyond->worst_kpa, bulge.gap_mm, *finding.value, *finding.limit);
+  finding.remedy = remedy(*beyond, bulge);
   findings.push_back(std::move(finding));
   return true;
 }
 
-void add_bulging(const LoadedSegment& loaded, std::size_t index, const std::string& members,
+void add_bulging(const LoadedSegment& loaded, Bulges& bulges, std::size_t kind,
                  CheckFindings& findings) {
-  Measure measure{
-      "liner-bulges", "liner between " + members, "of the gap", highest_bulge, true, {}};
+  Measure measure{"liner-bulges", "", "of the gap", highest_bulge, true, {}};
   measure.value = [&](const State& state) {
-    const Bulge bulge = bulge_at(loaded, index, state);
-    if (!(bulge.gap_mm > 0)) return 0.0;
-    return bulge.balloons() ? 2.0 : bulge.height_mm / bulge.gap_mm;
+    const Bulge& bulge = bulges.at(state)[kind];
+    return bulge.gap_mm > 0 ? bulge.height_mm / bulge.gap_mm : 0;
   };
   const auto beyond = excess(loaded, measure);
   if (!beyond) return;
-  const Response there = predict(loaded.prepared, std::array{beyond->worst_kpa});
-  const Bulge bulge = bulge_at(loaded, index, *there.states[0]);
+  const Bulge& bulge = bulges.at_kpa(beyond->worst_kpa, kind);
+  measure.part = part(bulge);
   CheckFinding finding = finding_of(loaded, measure, *beyond);
   finding.message = fmt::format(
-      "the liner comes out of its gaps by more than a quarter of their width from {:.3g} kPa on; "
-      "at {:.4g} kPa by {:.3g} mm from gaps of {:.3g} mm",
+      "comes out of the gaps by more than a quarter of their width from {:.3g} kPa on; at {:.4g} "
+      "kPa by {:.3g} mm from {:.3g} mm",
       beyond->from_kpa, beyond->worst_kpa, bulge.height_mm, bulge.gap_mm);
-  finding.remedy =
-      pressure_remedy(beyond->safe_kpa) + ", a thicker liner, or " + more_support(bulge);
+  finding.remedy = remedy(*beyond, bulge);
   findings.push_back(std::move(finding));
 }
 
@@ -143,10 +158,10 @@ void check_bulging(const LoadedSegment& loaded, CheckFindings& findings) {
   check_ring_distance(loaded, findings);
   const std::vector<const State*> states = loaded.states();
   if (states.empty()) return;
-  const std::vector<Bulge> kinds = liner_bulges(*loaded.segment, loaded.prepared, *states.back());
-  for (std::size_t i = 0; i < kinds.size(); ++i) {
-    if (add_ballooning(loaded, i, kinds[i].members, findings)) continue;
-    add_bulging(loaded, i, kinds[i].members, findings);
+  Bulges bulges(loaded);
+  for (std::size_t kind = 0; kind < bulges.at(*states.back()).size(); ++kind) {
+    if (add_ballooning(loaded, bulges, kind, findings)) continue;
+    add_bulging(loaded, bulges, kind, findings);
   }
 }
 

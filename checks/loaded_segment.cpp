@@ -9,9 +9,22 @@
 namespace latticast {
 namespace {
 
-std::vector<double> asked_pressures_kpa(const Design& design, std::size_t index) {
+constexpr int steps_of_load = 8;
+
+std::vector<double> pressures_of_load_kpa(const Design& design, std::size_t index) {
+  double most = 0;
+  double least = 0;
   std::vector<double> pressures;
-  for (const LoadCase& load : design.load) pressures.push_back(load.pressures_kpa[index]);
+  for (const LoadCase& load : design.load) {
+    const double pressure = load.pressures_kpa[index];
+    most = std::max(most, pressure);
+    least = std::min(least, pressure);
+    pressures.push_back(pressure);
+  }
+  for (int i = 1; i < steps_of_load; ++i) {
+    pressures.push_back(most * i / steps_of_load);
+    pressures.push_back(least * i / steps_of_load);
+  }
   std::sort(pressures.begin(), pressures.end());
   pressures.erase(std::unique(pressures.begin(), pressures.end()), pressures.end());
   return pressures;
@@ -54,7 +67,7 @@ LoadedSegment load_segment(const Design& design, std::size_t index) {
   loaded.segment = &design.segments[index];
   loaded.number = static_cast<int>(index) + 1;
   loaded.prepared = prepare_segment(*loaded.segment, design.model);
-  loaded.pressures_kpa = asked_pressures_kpa(design, index);
+  loaded.pressures_kpa = pressures_of_load_kpa(design, index);
   std::vector<double> pressures = loaded.pressures_kpa;
   const double most = loaded.pressures_kpa.back();
   const double least = loaded.pressures_kpa.front();

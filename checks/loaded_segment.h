@@ -18,15 +18,16 @@ namespace latticast {
 /// margin on pressure, and an unnoticed scatter of the modulus moves a limit point in proportion.
 inline constexpr double least_limit_margin = 1.25;
 
-/// One segment at every pressure that the design's load asks of it.
+/// One segment over the load that the design asks of it: at every asked pressure, and at eight even
+/// steps from rest to the largest one and to the deepest suction.
 struct LoadedSegment {
   const Segment* segment = nullptr;  ///< into the design, which must outlive this
   int number = 0;                    ///< from 1
   PreparedSegment prepared;
-  std::vector<double> pressures_kpa;  ///< distinct, ascending
+  std::vector<double> pressures_kpa;  ///< these, distinct, ascending
   Response response;                  ///< at those, then at the margin beyond either end
 
-  /// States at the asked pressures, as far as there are any, ascending.
+  /// States at these pressures, as far as there are any, ascending.
   std::vector<const State*> states() const;
 };
 

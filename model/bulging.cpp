@@ -18,8 +18,10 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double shear_factor = 5.0 / 6;  // of a rectangular section
-constexpr double highest = 2;             // heights looked at, of the gap
-constexpr int heights = 40;
+constexpr double highest_by_gap = 2;      // heights looked at
+constexpr double highest_by_radius = 4;
+constexpr int heights = 24;
+constexpr int most_iterations = 40;
 constexpr int wall_points = 6;
 
 /// 2 dW/dI1: Cauchy stress differences are this times differences of squared stretches.
@@ -55,12 +57,14 @@ struct Stretched {
   }
 };
 
-Section rubber_alone(const Section& section) {
-  Section rubber = section;
-  rubber.families.clear();
-  rubber.ring_modulus_mpa = 0;
-  rubber.twists = true;
-  return rubber;
+Section without_rings(Section section) {
+  section.ring_modulus_mpa = 0;
+  return section;
+}
+
+Section rubber_alone(Section section) {
+  section.families.clear();
+  return without_rings(std::move(section));
 }
 
 /// A wall as a liner of the paper's rods model has it: linear, hence neo-Hookean here.
@@ -77,100 +81,150 @@ Section rubber_alone(const Rods& rods) {
   return rubber;
 }
 
-/// Pressure that a section's energy bears by growing around the tube, (dPi/da)/(2 pi a lambda): the
-/// same at every radius of an incompressible wall. Empty where the state cannot exist.
-std::optional<double> borne_pressure_mpa(const Section& section, const Quadrature& points,
-                                         const Deformation& at) {
-  constexpr std::array active = {coordinate::inner_growth};
-  const auto energy = stored_energy(section, points, at, active);
-  if (!energy) return std::nullopt;
-  const double bore = section.inner_radius_mm + at.inner_growth;
-  return energy->gradient[coordinate::inner_growth] / (2 * pi * bore * (1 + at.elongation));
-}
-
-double contact_pressure_mpa(const Section& section, const State& state,
-                            const std::function<void(Section&)>& leave_only) {
-  Section members = rubber_alone(section);
+/// Pressure that members take off the wall by being wider, (dPi/da)/(2 pi a lambda): the same at
+/// every radius of an incompressible wall. `members`: a section with nothing else in it.
+double contact_pressure_mpa(Section members, const State& state) {
   members.isotropic_fraction = 0;
-  leave_only(members);
-  const Deformation at = state.deformation(section.inner_radius_mm, section.axis_rad);
-  const Quadrature points = make_quadrature(members, wall_points, wall_points);
-  return borne_pressure_mpa(members, points, at).value_or(0);
+  const Deformation at = state.deformation(members.inner_radius_mm, members.axis_rad);
+  constexpr std::array active = {coordinate::inner_growth};
+  const auto energy = stored_energy(members, make_quadrature(members, 1, wall_points), at, active);
+  if (!energy) return 0;
+  return energy->gradient[coordinate::inner_growth] /
+         (2 * pi * state.inner_radius_mm * state.stretch);
 }
 
-/// What the rubber's own roundness bears as the wall comes out, on the side that is lengthened.
+/// What roundness lets a wall bear as it comes out, on the side that bending lengthens.
 class RoundWall {
  public:
-  RoundWall(Section rubber, const WallStretch& outside, const State& state)
-      : rubber_(std::move(rubber)),
-        points_(make_quadrature(rubber_, wall_points, 1)),
+  /// `alone`: between its edges the wall carries the pull of the pressure on its ends, with nothing
+  /// pressing on it from outside; otherwise it keeps the stretch that it has.
+  RoundWall(Section wall, const WallStretch& outside, const State& state, bool alone)
+      : wall_(std::move(wall)),
+        points_(make_quadrature(wall_, wall_points, wall_points)),
         rest_{outside.axial - 1, state.twist_rad_per_mm,
-              state.inner_radius_mm - rubber_.inner_radius_mm, 0, 0},
-        outer_mm_(current_radius_mm(rubber_.inner_radius_mm, rubber_.liner_outer_radius_mm, rest_)),
-        borne_mpa_(borne(0)) {}
+              state.inner_radius_mm - wall_.inner_radius_mm, 0, 0},
+        outer_mm_(current_radius_mm(wall_.inner_radius_mm, wall_.liner_outer_radius_mm, rest_)),
+        pressure_mpa_(state.pressure_kpa / 1000),
+        force_n_(state.force_n),
+        alone_(alone) {}
 
-  /// Averaged over the gap with the bulge's own shape as the weight, a parabola.
-  double gain_mpa(double height_mm) const {
-    constexpr std::array<double, 3> places = {0.1127016653792583, 0.5, 0.8872983346207417};
-    constexpr std::array<double, 3> weights = {5.0 / 18, 8.0 / 18, 5.0 / 18};
-    double sum = 0;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      const double shape = 1 - places[i] * places[i];
-      sum += weights[i] * shape * (borne(height_mm * shape) - borne_mpa_);
+  /// Pressure borne with a parabolic bulge of this height in mid gap. To first order such a bulge,
+  /// its own shape being the weight, widens the tube as 0.8 of its height does all along. HUGE_VAL
+  /// where a strand or the rubber has come to its end, -HUGE_VAL where the wall cannot carry the
+  /// pull along the tube.
+  double borne_mpa(double height_mm) const {
+    const double outer_squared = std::pow(outer_mm_ + 0.8 * height_mm, 2);
+    const double rubber =
+        std::pow(wall_.liner_outer_radius_mm, 2) - std::pow(wall_.inner_radius_mm, 2);
+    Deformation at = rest_;
+    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+      const double stretch = 1 + at.elongation;
+      const double bore = std::sqrt(outer_squared - rubber / stretch);
+      at.inner_growth = bore - wall_.inner_radius_mm;
+      const auto energy = stored_energy(wall_, points_, at, active);
+      if (!energy) return HUGE_VAL;
+      const double tension = energy->gradient[coordinate::elongation];
+      const double off = tension - pressure_mpa_ * pi * bore * bore - force_n_;
+      if (!alone_ || std::abs(off) <= 1e-10 * std::abs(tension)) {
+        return energy->gradient[coordinate::inner_growth] / (2 * pi * bore * stretch);
+      }
+      const double bore_by_stretch = 0.5 * rubber / (bore * stretch * stretch);
+      const double slope =
+          energy->second(coordinate::elongation, coordinate::elongation) +
+          bore_by_stretch * (energy->second(coordinate::elongation, coordinate::inner_growth) -
+                             2 * pi * pressure_mpa_ * bore);
+      const double step = slope > 0 ? -off / slope : 0.2 * stretch;
+      at.elongation += std::clamp(step, -0.2 * stretch, 0.2 * stretch);
     }
-    return 1.5 * sum;
+    return -HUGE_VAL;
   }
 
-  double borne_mpa() const { return borne_mpa_; }
-  double thickness_mm() const { return outer_mm_ - rubber_.inner_radius_mm - rest_.inner_growth; }
+  double thickness_mm() const { return outer_mm_ - wall_.inner_radius_mm - rest_.inner_growth; }
 
  private:
-  double borne(double out_mm) const {
-    Deformation at = rest_;
-    const double bore = rubber_.inner_radius_mm + rest_.inner_growth;
-    at.inner_growth =
-        std::sqrt(bore * bore + out_mm * (2 * outer_mm_ + out_mm)) - rubber_.inner_radius_mm;
-    return borne_pressure_mpa(rubber_, points_, at).value_or(HUGE_VAL);
-  }
+  static constexpr std::array active = {coordinate::elongation, coordinate::inner_growth};
 
-  Section rubber_;
+  Section wall_;
   Quadrature points_;
   Deformation rest_;
   double outer_mm_;
-  double borne_mpa_;
+  double pressure_mpa_;
+  double force_n_;
+  bool alone_;
 };
 
-/// Fills in height and largest load of a bulge whose gap and load are known.
-void settle(Bulge& bulge, const WallPatch& patch, const RoundWall& wall) {
-  if (!(bulge.load_mpa > 0) || !(bulge.gap_mm > 0)) {
-    bulge.load_mpa = std::max(0.0, bulge.load_mpa);
-    bulge.largest_load_mpa = HUGE_VAL;
-    return;
+struct Sample {
+  double height_mm, value;
+};
+
+/// Where a function passes through zero between a negative and a positive sample: false position
+/// with the Illinois rule.
+double root(const std::function<double(double)>& function, Sample low, Sample high) {
+  const double tolerance = 1e-9 * high.height_mm;
+  int side = 0;
+  while (high.height_mm - low.height_mm > tolerance) {
+    double middle =
+        std::isfinite(high.value) && std::isfinite(low.value)
+            ? (low.height_mm * high.value - high.height_mm * low.value) / (high.value - low.value)
+            : 0.5 * (low.height_mm + high.height_mm);
+    middle = std::clamp(middle, low.height_mm + 0.3 * tolerance, high.height_mm - 0.3 * tolerance);
+    const Sample found{middle, function(middle)};
+    if (found.value < 0) {
+      low = found;
+      if (side < 0) high.value *= 0.5;
+      side = -1;
+    } else {
+      high = found;
+      if (side > 0) low.value *= 0.5;
+      side = 1;
+    }
   }
-  const auto resistance = [&](double height) {
-    return cap_pressure_mpa(patch, height) + wall.gain_mpa(height);
-  };
+  return 0.5 * (low.height_mm + high.height_mm);
+}
+
+/// The largest value of a function with a single hump, by golden section.
+double hump(const std::function<double(double)>& function, double low, double high) {
+  const double golden = 0.5 * (std::sqrt(5.0) - 1);
+  double largest = -HUGE_VAL;
+  for (int i = 0; i < 16; ++i) {
+    const double left = high - golden * (high - low);
+    const double right = low + golden * (high - low);
+    const double at_left = function(left);
+    const double at_right = function(right);
+    largest = std::max({largest, at_left, at_right});
+    (at_left < at_right ? low : high) = at_left < at_right ? left : right;
+  }
+  return largest;
+}
+
+/// Fills in height and largest load. `surplus`: what a bulge of a height bears beyond what it has
+/// to. Where it stops rising, the bulge goes on growing by itself.
+void settle(Bulge& bulge, double radius_mm, const std::function<double(double)>& surplus) {
+  bulge.largest_load_mpa = HUGE_VAL;
+  if (!(bulge.load_mpa > 0) || bulge.gap_mm == 0) return;
+  const double highest = std::min(highest_by_gap * bulge.gap_mm, highest_by_radius * radius_mm);
   const auto height_of = [&](int i) {
     const double share = static_cast<double>(i) / heights;
-    return highest * bulge.gap_mm * share * share;
+    return highest * share * share;
   };
-  std::optional<int> first;
+  double below = surplus(0);
+  double largest = below;
+  bool found = below >= 0;
   for (int i = 1; i <= heights; ++i) {
-    const double load = resistance(height_of(i));
-    bulge.largest_load_mpa = std::max(bulge.largest_load_mpa, load);
-    if (!first && load >= bulge.load_mpa) first = i;
+    const double above = surplus(height_of(i));
+    if (!found && above >= 0) {
+      found = true;
+      bulge.height_mm = root(surplus, {height_of(i - 1), below}, {height_of(i), above});
+    }
+    if (above < below) {
+      largest = hump(surplus, height_of(std::max(0, i - 2)), height_of(i));
+      break;
+    }
+    largest = below = above;
   }
-  if (!first) {
-    bulge.height_mm = HUGE_VAL;
-    return;
-  }
-  double low = height_of(*first - 1);
-  double high = height_of(*first);
-  while (high - low > 1e-9 * bulge.gap_mm) {
-    const double middle = 0.5 * (low + high);
-    (resistance(middle) < bulge.load_mpa ? low : high) = middle;
-  }
-  bulge.height_mm = 0.5 * (low + high);
+  if (!found && largest >= 0) found = true;  // just before the top
+  bulge.largest_load_mpa = bulge.load_mpa + largest;
+  if (!found) bulge.height_mm = HUGE_VAL;
 }
 
 /// The widest clear distance between neighbouring strands, square to them, as they lie now.
@@ -184,29 +238,31 @@ double widest_strand_gap_mm(const Grid& grid, const WallStretch& at, double angl
   return std::max(0.0, spacing - widths);
 }
 
+/// The lengthened side of an inflated segment.
 struct Place {
   const Segment& segment;
   const State& state;
-  const RoundWall& wall;
   WallStretch middle;   ///< at half of the liner's thickness
   WallStretch outside;  ///< under the lattice
-
-  /// `angle_rad`: of the direction across the gap, from the circumference.
-  WallPatch patch(double span_mm, double angle_rad) const {
-    const double around = std::cos(angle_rad);
-    const double along = std::sin(angle_rad);
-    WallPatch patch;
-    patch.law = segment.liner.material.law;
-    patch.span_mm = span_mm;
-    patch.thickness_mm = wall.thickness_mm();
-    patch.stretch_squared = std::pow(middle.hoop * around, 2) +
-                            std::pow(middle.shear * around + middle.axial * along, 2);
-    patch.across_wall = middle.across();
-    patch.invariant_minus_3 = middle.first_invariant_minus_3();
-    patch.tension_n_per_mm = std::max(0.0, Stretched(patch, 1).tension());
-    return patch;
-  }
+  WallStretch layer;    ///< at the lattice's mid radius
 };
+
+/// `angle_rad`: of the direction across the gap, from the circumference.
+WallPatch wall_patch(const Place& place, const RoundWall& wall, double span_mm, double angle_rad) {
+  const WallStretch& at = place.middle;
+  const double around = std::cos(angle_rad);
+  const double along = std::sin(angle_rad);
+  WallPatch patch;
+  patch.law = place.segment.liner.material.law;
+  patch.span_mm = span_mm;
+  patch.thickness_mm = wall.thickness_mm();
+  patch.stretch_squared =
+      std::pow(at.hoop * around, 2) + std::pow(at.shear * around + at.axial * along, 2);
+  patch.across_wall = at.across();
+  patch.invariant_minus_3 = at.first_invariant_minus_3();
+  patch.tension_n_per_mm = std::max(0.0, Stretched(patch, 1).tension());
+  return patch;
+}
 
 /// All that the wall carries along the tube: pressure on the closed ends, and the mounting's pull.
 double end_tension_n_per_mm(const Segment& segment, const State& state) {
@@ -216,32 +272,54 @@ double end_tension_n_per_mm(const Segment& segment, const State& state) {
   return std::max(0.0, pull / (2 * pi * outer));
 }
 
-std::optional<Bulge> between_rings(const Place& place, double load_mpa) {
+bool has_ring_gaps(const Segment& segment) {
+  return segment.lattice->rings &&
+         ring_centres_mm(*segment.lattice->rings, segment.length_mm).size() > 1;
+}
+
+/// Effective rods leave all that the bore's roundness does not bear to the rings.
+Bulge between_rings(const Place& place, const PreparedSegment& prepared) {
   const Segment& segment = place.segment;
-  if (!segment.lattice->rings) return std::nullopt;
-  const Rings& rings = *segment.lattice->rings;
-  if (ring_centres_mm(rings, segment.length_mm).size() < 2) return std::nullopt;
+  const auto* section = std::get_if<Section>(&prepared.section);
+  const RoundWall wall(
+      section ? without_rings(*section) : rubber_alone(std::get<Rods>(prepared.section)),
+      place.outside, place.state, section != nullptr);
   Bulge bulge;
   bulge.members = "rings";
+  const Rings& rings = *segment.lattice->rings;
   const double pitch = ring_pitch_mm(rings, segment.length_mm);
   bulge.gap_mm = std::max(0.0, place.outside.axial * pitch - rings.width_mm);
-  bulge.load_mpa = load_mpa;
-  WallPatch patch = place.patch(bulge.gap_mm, pi / 2);
+  const double pressure = place.state.pressure_kpa / 1000;
+  bulge.load_mpa = pressure - wall.borne_mpa(0);
+  if (section) {
+    Section alone = *section;
+    alone.families.clear();
+    bulge.load_mpa = contact_pressure_mpa(std::move(alone), place.state);
+  }
+  WallPatch patch = wall_patch(place, wall, bulge.gap_mm, pi / 2);
   patch.tension_n_per_mm = end_tension_n_per_mm(segment, place.state);
-  settle(bulge, patch, place.wall);
+  settle(bulge, place.outside.radius_mm, [&](double height) {
+    return cap_pressure_mpa(patch, height) + wall.borne_mpa(height) - pressure;
+  });
   return bulge;
 }
 
-Bulge between_strands(const Place& place, const Section& section, std::size_t grid,
-                      const WallStretch& layer) {
+Bulge between_strands(const Place& place, const Section& section, std::size_t grid) {
   const Grid& strands = place.segment.lattice->grids[grid];
   const double angle = strands.angle_deg * pi / 180;
+  const RoundWall wall(rubber_alone(section), place.outside, place.state, false);
   Bulge bulge;
   bulge.members = "grid " + std::to_string(grid);
-  bulge.gap_mm = widest_strand_gap_mm(strands, layer, angle);
-  bulge.load_mpa = contact_pressure_mpa(
-      section, place.state, [&](Section& only) { only.families = {section.families[grid]}; });
-  settle(bulge, place.patch(bulge.gap_mm, layer.turned_rad(angle) + pi / 2), place.wall);
+  bulge.gap_mm = widest_strand_gap_mm(strands, place.layer, angle);
+  Section alone = without_rings(section);
+  alone.families = {section.families[grid]};
+  bulge.load_mpa = contact_pressure_mpa(std::move(alone), place.state);
+  const WallPatch patch =
+      wall_patch(place, wall, bulge.gap_mm, place.layer.turned_rad(angle) + pi / 2);
+  const double borne = wall.borne_mpa(0) + bulge.load_mpa;
+  settle(bulge, place.outside.radius_mm, [&](double height) {
+    return cap_pressure_mpa(patch, height) + wall.borne_mpa(height) - borne;
+  });
   return bulge;
 }
 
@@ -262,27 +340,17 @@ double cap_pressure_mpa(const WallPatch& patch, double height_mm) {
 std::vector<Bulge> liner_bulges(const Segment& segment, const PreparedSegment& prepared,
                                 const State& state) {
   if (!segment.lattice) return {};
-  const auto* section = std::get_if<Section>(&prepared.section);
   const double side = lengthened_side_rad(state);
   const auto at = [&](double radius) { return wall_stretch(segment, state, radius, side); };
   const double middle = segment.inner_radius_mm() + 0.5 * segment.liner.thickness_mm;
-  const WallStretch outside = at(segment.liner_outer_radius_mm());
-  const RoundWall wall(
-      std::visit([](const auto& kind) { return rubber_alone(kind); }, prepared.section), outside,
-      state);
-  const Place place{segment, state, wall, at(middle), outside};
-
+  const Place place{segment, state, at(middle), at(segment.liner_outer_radius_mm()),
+                    at(segment.lattice_mid_radius_mm())};
   std::vector<Bulge> bulges;
-  // Effective rods leave all roundness to the rings.
-  const double ring_load =
-      section ? contact_pressure_mpa(
-                    *section, state,
-                    [&](Section& only) { only.ring_modulus_mpa = section->ring_modulus_mpa; })
-              : state.pressure_kpa / 1000 - wall.borne_mpa();
-  if (auto bulge = between_rings(place, ring_load)) bulges.push_back(std::move(*bulge));
+  if (has_ring_gaps(segment)) bulges.push_back(between_rings(place, prepared));
+  const auto* section = std::get_if<Section>(&prepared.section);
   if (section == nullptr) return bulges;
   for (std::size_t i = 0; i < section->families.size(); ++i) {
-    bulges.push_back(between_strands(place, *section, i, at(segment.lattice_mid_radius_mm())));
+    bulges.push_back(between_strands(place, *section, i));
   }
   return bulges;
 }

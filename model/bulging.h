@@ -37,7 +37,8 @@ struct Bulge {
                          ///< wall in the gap lacks it
   double height_mm = 0;  ///< beyond the members, mid gap; HUGE_VAL when it balloons
   double largest_load_mpa = 0;  ///< load beyond which there is no equilibrium in the gap: the wall
-                                ///< balloons there; found within a height of twice the gap
+                                ///< balloons there; looked for up to a height of twice the gap
+                                ///< or four radii
 
   bool balloons() const { return load_mpa > largest_load_mpa; }
 };
