@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "checks/bulging_checks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -17,10 +18,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// A cap of this height over its gap is half as high as a semicircle, from where its roundness no
-// longer grows with it.
-constexpr double highest_bulge = 0.25;
-
 /// Bulges of one segment, found once for every pressure that is looked at.
 class Bulges {
  public:
@@ -36,60 +33,65 @@ class Bulges {
     return found_.at(pressure_kpa)[kind];
   }
 
+  const Bulge& highest_at_kpa(double pressure_kpa) const {
+    const std::vector<Bulge>& bulges = found_.at(pressure_kpa);
+    return *std::max_element(bulges.begin(), bulges.end(), [](const Bulge& a, const Bulge& b) {
+      return a.height_mm < b.height_mm;
+    });
+  }
+
  private:
   const LoadedSegment& loaded_;
   std::map<double, std::vector<Bulge>> found_;
 };
 
-std::string part(const Bulge& bulge) {
-  return "liner between " + bulge.members;
-}
-
-std::string remedy(const Excess& beyond, const Bulge& bulge) {
+std::string remedy(const Excess& beyond, const std::string& members) {
   return fmt::format("{}, a thicker liner, or more {}", pressure_remedy(beyond.safe_kpa),
-                     bulge.members == "rings" ? "rings" : "strands");
+                     members == "rings" ? members : "strands");
 }
 
+/// Adds a finding where the load of a gap, `margin` times, is more than the wall in it can bear.
 bool add_ballooning(const LoadedSegment& loaded, Bulges& bulges, std::size_t kind,
-                    CheckFindings& findings) {
-  Measure measure{"liner-balloons", "", "kPa", 0, true, {}};
+                    std::string_view code, double margin, CheckFindings& findings) {
+  Measure measure{code, "", "kPa", 1, true, {}};
   measure.value = [&](const State& state) {
     const Bulge& bulge = bulges.at(state)[kind];
-    return bulge.balloons() ? 1000 * (bulge.load_mpa - bulge.largest_load_mpa) : 0;
+    return bulge.load_mpa > 0 ? margin * bulge.load_mpa / bulge.largest_load_mpa : 0;
   };
   const auto beyond = excess(loaded, measure);
   if (!beyond) return false;
   const Bulge& bulge = bulges.at_kpa(beyond->worst_kpa, kind);
-  measure.part = part(bulge);
+  measure.part = "liner between " + bulge.members;
   CheckFinding finding = finding_of(loaded, measure, *beyond);
   finding.value = 1000 * bulge.load_mpa;
-  finding.limit = 1000 * bulge.largest_load_mpa;
+  finding.limit = 1000 * bulge.largest_load_mpa / margin;
   finding.message = fmt::format(
-      "balloons through the gaps from {:.3g} kPa on: at {:.4g} kPa they are {:.3g} mm wide, and "
-      "the lattice holds back {:.3g} kPa beside them, of which the wall in them bears {:.3g} kPa",
-      beyond->from_kpa, beyond->worst_kpa, bulge.gap_mm, *finding.value, *finding.limit);
-  finding.remedy = remedy(*beyond, bulge);
+      "{} through the gaps from {:.3g} kPa on: at {:.4g} kPa they are {:.3g} mm wide, the lattice "
+      "beside them holds {:.3g} kPa, and the wall in them balloons at {:.3g} kPa",
+      margin > 1 ? "is near ballooning" : "balloons", beyond->from_kpa, beyond->worst_kpa,
+      bulge.gap_mm, *finding.value, 1000 * bulge.largest_load_mpa);
+  finding.remedy = remedy(*beyond, bulge.members);
   findings.push_back(std::move(finding));
   return true;
 }
 
-void add_bulging(const LoadedSegment& loaded, Bulges& bulges, std::size_t kind,
-                 CheckFindings& findings) {
-  Measure measure{"liner-bulges", "", "of the gap", highest_bulge, true, {}};
-  measure.value = [&](const State& state) {
-    const Bulge& bulge = bulges.at(state)[kind];
-    return bulge.gap_mm > 0 ? bulge.height_mm / bulge.gap_mm : 0;
-  };
+/// In mid cell, where the bulges of all gaps meet: beyond the outside of the lattice the liner rubs
+/// against whatever the lattice lies on.
+void add_bulging(const LoadedSegment& loaded, Bulges& bulges, CheckFindings& findings) {
+  const double thickness = loaded.segment->lattice->thickness_mm;
+  const Measure measure{"liner-bulges", "liner", "mm", thickness, true, [&](const State& state) {
+                          double height = 0;
+                          for (const Bulge& bulge : bulges.at(state)) height += bulge.height_mm;
+                          return height;
+                        }};
   const auto beyond = excess(loaded, measure);
   if (!beyond) return;
-  const Bulge& bulge = bulges.at_kpa(beyond->worst_kpa, kind);
-  measure.part = part(bulge);
   CheckFinding finding = finding_of(loaded, measure, *beyond);
   finding.message = fmt::format(
-      "comes out of the gaps by more than a quarter of their width from {:.3g} kPa on; at {:.4g} "
-      "kPa by {:.3g} mm from {:.3g} mm",
-      beyond->from_kpa, beyond->worst_kpa, bulge.height_mm, bulge.gap_mm);
-  finding.remedy = remedy(*beyond, bulge);
+      "stands out beyond the lattice in its gaps from {:.3g} kPa on; at {:.4g} kPa it bulges by "
+      "{:.3g} mm, and the lattice is {:.3g} mm thick",
+      beyond->from_kpa, beyond->worst_kpa, beyond->worst, thickness);
+  finding.remedy = remedy(*beyond, bulges.highest_at_kpa(beyond->worst_kpa).members);
   findings.push_back(std::move(finding));
 }
 
@@ -157,12 +159,17 @@ void check_ring_distance(const LoadedSegment& loaded, CheckFindings& findings) {
 void check_bulging(const LoadedSegment& loaded, CheckFindings& findings) {
   check_ring_distance(loaded, findings);
   const std::vector<const State*> states = loaded.states();
-  if (states.empty()) return;
+  if (!loaded.segment->lattice || states.empty()) return;
   Bulges bulges(loaded);
+  bool balloons = false;
   for (std::size_t kind = 0; kind < bulges.at(*states.back()).size(); ++kind) {
-    if (add_ballooning(loaded, bulges, kind, findings)) continue;
-    add_bulging(loaded, bulges, kind, findings);
+    const bool here = add_ballooning(loaded, bulges, kind, "liner-balloons", 1, findings);
+    if (!here) {
+      add_ballooning(loaded, bulges, kind, "liner-balloons-near", least_limit_margin, findings);
+    }
+    balloons |= here;
   }
+  if (!balloons) add_bulging(loaded, bulges, findings);
 }
 
 }  // namespace latticast

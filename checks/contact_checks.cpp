@@ -90,6 +90,9 @@ double horseshoe_gap_mm(const Segment& segment, const Grid& grid, const State& s
 void check_gap(const LoadedSegment& loaded, const std::string& part,
                const std::function<double(const State&)>& gap, CheckFindings& findings) {
   const Measure measure{"strands-touch-inflated", part, "mm", 0, false, gap};
+  State rest;
+  rest.inner_radius_mm = loaded.segment->inner_radius_mm();
+  if (gap(rest) < 0) return;  // then it cannot even be drawn
   const auto beyond = excess(loaded, measure);
   if (!beyond) return;
   CheckFinding finding = finding_of(loaded, measure, *beyond);

@@ -126,7 +126,7 @@ std::string pressure_remedy(double limit_kpa) {
   if (limit_kpa == 0) return "no pressure";
   const double step = std::pow(10, std::floor(std::log10(std::abs(limit_kpa))) - 2);
   const double rounded = std::trunc(limit_kpa / step) * step;
-  return fmt::format("pressure up to {:.3g} kPa", rounded);
+  return fmt::format("pressure {} to {:.3g} kPa", rounded < 0 ? "down" : "up", rounded);
 }
 
 }  // namespace latticast
