@@ -12,8 +12,33 @@ namespace {
 constexpr double rounding = 1e-9;  // relative; far below what any machine resolves
 
 constexpr std::array codes = {
+    // Printing.
     CheckCode{"strand-too-thin", Severity::error,
-              "a strand is narrower than the printer's least wall, at its inner or outer radius"},
+              "a strand is narrower than the printer's least wall, or its groove than the least "
+              "gap, at its inner radius"},
+    CheckCode{"ring-too-thin", Severity::error,
+              "rings are narrower than the printer's least wall, or their grooves than the least "
+              "gap"},
+    CheckCode{"layer-too-thin", Severity::error,
+              "the lattice, or a printed liner, is thinner than the printer's least wall"},
+    CheckCode{"gap-too-small", Severity::error,
+              "neighbouring strands or rings are closer than the printer's least gap, or the land "
+              "between their grooves is thinner than its least wall; a warning where the design "
+              "does not state the limit"},
+    CheckCode{
+        "cell-too-small", Severity::warning,
+        "openings between crossing strands are smaller than the printer's least gap, or lands "
+        "than its least wall"},
+    CheckCode{"acute-corner", Severity::warning,
+              "strands graze: the wedge between them fills for longer than a strand is wide"},
+    CheckCode{"loose-part", Severity::error,
+              "part of the lattice is not connected to the rest; a warning for rings alone"},
+    CheckCode{"overhang", Severity::note,
+              "strands are flatter than the process prints without supports"},
+    CheckCode{"long-bridge", Severity::note,
+              "an underside runs level for longer than the process prints without supports"},
+    CheckCode{"exceeds-bed", Severity::error, "a part is larger than the printer's bed"},
+    CheckCode{"cannot-draw", Severity::error, "the lattice cannot be drawn as asked"},
 };
 
 }  // namespace
