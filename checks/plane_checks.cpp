@@ -105,6 +105,11 @@ CheckFinding finding_at(const UnitedLattice& lattice, std::string_view code, con
   return finding;
 }
 
+// A small opening that fills adds a little plastic; a thin land of a mold breaks.
+Severity severity_of_filling(const LatticeUse& use) {
+  return use.grooved ? Severity::warning : Severity::note;
+}
+
 void check_cells(const UnitedLattice& lattice, const LatticeUse& use, CheckFindings& findings) {
   const double stretch = turn_mm(lattice, lattice.segment.liner_outer_radius_mm());
   const double limit = use.least_between_mm;
@@ -122,6 +127,7 @@ void check_cells(const UnitedLattice& lattice, const LatticeUse& use, CheckFindi
   }
   if (cells == 0) return;
   CheckFinding finding = finding_at(lattice, "cell-too-small", use, where);
+  finding.severity = severity_of_filling(use);
   finding.value = least;
   finding.limit = limit;
   finding.message = fmt::format(
@@ -160,6 +166,7 @@ void check_corners(const UnitedLattice& lattice, const LatticeUse& use, CheckFin
   const Wedge wedge = longest_wedge(lattice, use.least_between_mm);
   if (!clearly_above(wedge.length_mm - drawn_mm, limit)) return;
   CheckFinding finding = finding_at(lattice, "acute-corner", use, wedge.corner);
+  finding.severity = severity_of_filling(use);
   finding.value = wedge.length_mm;
   finding.limit = limit;
   finding.message = fmt::format(
