@@ -193,11 +193,13 @@ class MoldChecks {
     finding.limit = most_vents;
     finding.unit = "vents";
     finding.message =
-        fmt::format("{} high points need {} vents, each with a stub to cut off; {} are little work",
-                    plan.fill.high_points.size(), vents, most_vents);
-    finding.remedy =
-        "flush rings at both ends collect the air: rings by count; arcs of at most 180 degrees; or "
-        "pour standing on the other end";
+        fmt::format("{} vents let the air out, each with a stub to cut off; {} are little work",
+                    vents, most_vents);
+    // A high point all around the tube gets a vent in every piece.
+    finding.remedy = plan.fill.high_points.size() <= most_vents
+                         ? fmt::format("lattice_mold.pieces = {}", most_vents)
+                         : "rings by count end flush and collect the air in one; arcs of at most "
+                           "180 degrees have no high points of their own";
     findings_.push_back(std::move(finding));
   }
 

@@ -15,6 +15,7 @@ namespace {
 
 constexpr int few_columns = 3;  // the plane is flat: columns only cut outlines
 constexpr double closing_mm = 0.01;
+constexpr double finest_slack_mm = 1e-3;
 constexpr double straight_sine = 1e-7;  // grid steps bend a line by less
 
 double cross(PlanePoint a, PlanePoint b, PlanePoint c) {
@@ -194,7 +195,9 @@ double inscribed_width_mm(const std::vector<PlanePoint>& polygon, double enough_
   while (!open.empty() && 2 * best <= enough_mm) {
     const Square square = open.top();
     open.pop();
-    if (2 * (square.most() - best) <= slack_mm) break;
+    const double unknown = 2 * (square.most() - best);
+    const bool decided = 2 * square.most() <= enough_mm || unknown <= finest_slack_mm;
+    if (unknown <= slack_mm && decided) break;
     const double half = 0.5 * square.half;
     for (const double du : {-half, half}) {
       for (const double dz : {-half, half}) {

@@ -38,10 +38,10 @@ struct LatticePlane {
 /// (arrangement.h).
 LatticePlane lattice_plane(const Segment& segment, double flatness_mm = 0.01);
 
-/// Twice the radius of the largest circle in a simple polygon, found to within `slack_mm` from
-/// below; but any value above `enough_mm` as soon as it is known to be more. 0 for a polygon
-/// without area.
+/// Twice the radius of the largest circle in a simple polygon, from below: within `slack_mm`, and
+/// within a micrometre where only that tells whether it is more than `enough_mm`; some value above
+/// `enough_mm` as soon as it is known to be more. 0 for a polygon without area.
 double inscribed_width_mm(const std::vector<PlanePoint>& polygon, double enough_mm,
-                          double slack_mm = 1e-3);
+                          double slack_mm);
 
 }  // namespace latticast

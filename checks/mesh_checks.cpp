@@ -55,7 +55,7 @@ void check_defects(const Audit& found, const std::string& name, CheckFindings& f
     finding.part = name;
     finding.value = static_cast<double>(count);
     finding.limit = 0;
-    finding.message = fmt::format("{} {}", count, entry.what);
+    finding.message = fmt::format("{}: {}", entry.what, count);
     const auto first = std::find_if(found.findings.begin(), found.findings.end(),
                                     [&](const Finding& f) { return f.defect == entry.defect; });
     if (first != found.findings.end()) {

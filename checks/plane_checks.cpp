@@ -14,6 +14,9 @@ namespace {
 constexpr std::size_t most_parts_named = 8;
 constexpr double level_mm = 1e-3;
 constexpr double even_share = 0.5;
+constexpr double rough_share = 0.1;
+constexpr double fine_share = 0.01;
+constexpr double grid_mm = 1e-3;
 constexpr double drawn_mm = 0.02;  // arcs are chords, and corners grid points: finer is not meant
 
 double cross(PlanePoint a, PlanePoint b, PlanePoint c) {
@@ -115,18 +118,20 @@ void check_cells(const UnitedLattice& lattice, const LatticeUse& use, CheckFindi
   const double limit = use.least_between_mm;
   double least = HUGE_VAL;
   int cells = 0;
-  PlanePoint where;
+  const Outline* smallest = nullptr;
   for (const Outline& outline : lattice.plane.outlines) {
     if (!outline.is_cell()) continue;
-    const double width = inscribed_width_mm(stretched(outline.points, stretch), limit + drawn_mm);
-    if (!clearly_below(width + 1e-3, limit)) continue;
+    const double width =
+        inscribed_width_mm(stretched(outline.points, stretch), limit, rough_share * limit);
+    if (!clearly_below(width + grid_mm, limit)) continue;
     ++cells;
     if (width >= least) continue;
     least = width;
-    where = middle_of(outline.points);
+    smallest = &outline;
   }
-  if (cells == 0) return;
-  CheckFinding finding = finding_at(lattice, "cell-too-small", use, where);
+  if (smallest == nullptr) return;
+  least = inscribed_width_mm(stretched(smallest->points, stretch), limit, fine_share * limit);
+  CheckFinding finding = finding_at(lattice, "cell-too-small", use, middle_of(smallest->points));
   finding.severity = severity_of_filling(use);
   finding.value = least;
   finding.limit = limit;
@@ -253,10 +258,11 @@ double wedge_length_mm(const Outline& outline, std::size_t corner, double width_
   return way;
 }
 
-CheckFindings plane_checks(const UnitedLattice& lattice, const LatticeUse& use) {
+CheckFindings plane_checks(const UnitedLattice& lattice, const LatticeUse& use,
+                           bool gaps_are_wide) {
   CheckFindings findings;
   check_parts(lattice, use, findings);
-  check_cells(lattice, use, findings);
+  if (gaps_are_wide) check_cells(lattice, use, findings);
   check_corners(lattice, use, findings);
   return findings;
 }

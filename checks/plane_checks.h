@@ -23,8 +23,11 @@ struct UnitedLattice {
 /// ones (90 degrees and more); at most half of the outline. `stretch` is applied to u.
 double wedge_length_mm(const Outline& outline, std::size_t corner, double width_mm, double stretch);
 
-/// cell-too-small, acute-corner, loose-part: the worst place of each code, but every loose part.
-CheckFindings plane_checks(const UnitedLattice& lattice, const LatticeUse& use);
+/// cell-too-small, acute-corner, loose-part: the worst place of each code, but every loose part up
+/// to the eighth. Cells are not looked at without `gaps_are_wide`: where whole gaps are too small,
+/// every opening between the strands is.
+CheckFindings plane_checks(const UnitedLattice& lattice, const LatticeUse& use,
+                           bool gaps_are_wide = true);
 
 /// The longest level underside between two supports in printing position (z up), as long as it is
 /// at the outer radius; what stands on z = 0 is supported.

@@ -91,7 +91,7 @@ void check_bridges(const UnitedLattice& lattice, const FreePrinting& free,
   finding.limit = free.longest_bridge_mm;
   finding.unit = "mm";
   finding.message = fmt::format(
-      "the underside runs level for {:.3g} mm between supports, at the outer radius; {:.3g} mm "
+      "the underside runs level for {:.4g} mm between supports, at the outer radius; {:.3g} mm "
       "print without supports",
       bridge.length_mm, free.longest_bridge_mm);
   finding.remedy = "print it with supports, use more strands, or cast it: lattice_mold = {}";
@@ -103,16 +103,12 @@ bool has_code(const CheckFindings& findings, std::string_view code) {
                      [&](const CheckFinding& finding) { return finding.code == code; });
 }
 
-// Where whole gaps are too small, every opening between the strands is.
 void check_use(const UnitedLattice& lattice, const LatticeUse& use, const FreePrinting& free,
                CheckFindings& findings) {
   CheckFindings sizes = strand_checks(lattice.segment, lattice.number, use);
-  CheckFindings shapes = plane_checks(lattice, use);
-  if (has_code(sizes, "gap-too-small")) {
-    std::erase_if(shapes, [](const CheckFinding& f) { return f.code == "cell-too-small"; });
-  }
+  const bool gaps_are_wide = !has_code(sizes, "gap-too-small");
   append(findings, std::move(sizes));
-  append(findings, std::move(shapes));
+  append(findings, plane_checks(lattice, use, gaps_are_wide));
   if (!use.free_standing) return;
   check_overhang(lattice.segment, lattice.number, free, findings);
   check_bridges(lattice, free, findings);
