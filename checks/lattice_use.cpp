@@ -8,7 +8,7 @@ double least_wall_mm(const Printer& printer) {
 }
 
 double least_gap_mm(const Printer& printer) {
-  return printer.min_gap_mm.value_or(printer.process == Process::sla ? 0.2 : 0.4);
+  return printer.min_gap_mm.value_or(printer.process == Process::sla ? 0.3 : 0.4);
 }
 
 std::string LatticeUse::part(const std::string& name) const {

@@ -10,7 +10,7 @@
 namespace latticast {
 
 /// The printer's smallest sizes, as the design states them or as its process is commonly given:
-/// fdm 0.8 mm walls (two lines of a 0.4 mm nozzle) and 0.4 mm gaps; sla 0.4 mm and 0.2 mm.
+/// fdm 0.8 mm walls (two lines of a 0.4 mm nozzle) and 0.4 mm gaps; sla 0.4 mm and 0.3 mm.
 double least_wall_mm(const Printer& printer);
 double least_gap_mm(const Printer& printer);
 
