@@ -70,7 +70,8 @@ std::string check_table(const CheckFindings& findings) {
 
 std::string check_json(std::string_view design, const CheckFindings& findings) {
   nlohmann::ordered_json json;
-  json["design"] = design;
+  json["design"] =
+      design.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(design);
   json["errors"] = count(findings, Severity::error);
   json["warnings"] = count(findings, Severity::warning);
   json["notes"] = count(findings, Severity::note);

@@ -15,7 +15,7 @@ std::string check_table(const CheckFindings& findings);
 
 /// {"design": NAME, "errors": n, "warnings": n, "notes": n, "findings": [{code, severity, segment,
 /// part, theta_deg, z_mm, pressure_kPa, value, limit, unit, message, remedy}]}; what a finding does
-/// not have is null.
+/// not have is null, and so is the design where `design` is empty.
 std::string check_json(std::string_view design, const CheckFindings& findings);
 
 }  // namespace latticast

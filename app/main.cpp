@@ -94,7 +94,7 @@ void describe_commands(CLI::App& app, CommandLine& typed) {
   describe_predict(app, typed);
   CLI::App* check =
       app.add_subcommand("check", "Say what will go wrong before a part is printed or cast");
-  check->add_option("files", typed.checked_files, "design file, or mesh files")->required();
+  check->add_option("files", typed.checked_files, "a design file, mesh files, or both")->required();
   check->add_option("--format", typed.check_format, "table or json")
       ->check(CLI::IsMember({"table", "json"}));
   CLI::App* audit = app.add_subcommand("audit", "Prove that mesh files are closed, clean solids");

@@ -7,6 +7,9 @@
 #if LATTICAST_HAS_GEOMETRY
 #include "checks/print_checks.h"
 #endif
+#if LATTICAST_HAS_MOLDS
+#include "checks/casting_checks.h"
+#endif
 #if LATTICAST_HAS_PREDICT
 #include "checks/load_checks.h"
 #endif
@@ -20,6 +23,9 @@ CheckFindings check_design(const Design& design) {
   };
 #if LATTICAST_HAS_GEOMETRY
   add(print_checks(design));
+#endif
+#if LATTICAST_HAS_MOLDS
+  add(casting_checks(design));
 #endif
 #if LATTICAST_HAS_PREDICT
   add(load_checks(design));

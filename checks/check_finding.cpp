@@ -12,8 +12,50 @@ namespace {
 constexpr double rounding = 1e-9;  // relative; far below what any machine resolves
 
 constexpr std::array codes = {
+    // Printing.
     CheckCode{"strand-too-thin", Severity::error,
-              "a strand is narrower than the printer's least wall, at its inner or outer radius"},
+              "a strand is narrower than the printer's least wall, or its groove than the least "
+              "gap, at its inner radius"},
+    CheckCode{"ring-too-thin", Severity::error,
+              "rings are narrower than the printer's least wall, or their grooves than the least "
+              "gap"},
+    CheckCode{"layer-too-thin", Severity::error,
+              "the lattice, or a printed liner, is thinner than the printer's least wall"},
+    CheckCode{"gap-too-small", Severity::error,
+              "neighbouring strands or rings are closer than the printer's least gap, or the land "
+              "between their grooves is thinner than its least wall; a warning where the design "
+              "does not state the limit"},
+    CheckCode{
+        "cell-too-small", Severity::warning,
+        "openings between crossing strands are smaller than the printer's least gap, or lands "
+        "than its least wall"},
+    CheckCode{
+        "acute-corner", Severity::warning,
+        "grooves graze: the land's tip is too thin for longer than a strand is wide; a note for "
+        "the gap between printed strands, which fills"},
+    CheckCode{"loose-part", Severity::error,
+              "part of the lattice is not connected to the rest; a warning for rings alone"},
+    CheckCode{"overhang", Severity::note,
+              "strands are flatter than the process prints without supports"},
+    CheckCode{"long-bridge", Severity::note,
+              "an underside runs level for longer than the process prints without supports"},
+    CheckCode{"exceeds-bed", Severity::error, "a part is larger than the printer's bed"},
+    CheckCode{"cannot-draw", Severity::error, "the lattice cannot be drawn as asked"},
+    // Casting.
+    CheckCode{"mold-impossible", Severity::error, "a mold cannot be made as asked"},
+    CheckCode{"mold-wall-too-thin", Severity::error,
+              "a mold's wall is thinner under its strap grooves than the printer's least wall"},
+    CheckCode{"groove-too-deep", Severity::warning, "a groove is deeper than 3 times its width"},
+    CheckCode{
+        "demolding-strain", Severity::warning,
+        "taking a piece off strains the casting more than it should bear; an error beyond its "
+        "elongation at break"},
+    CheckCode{"trapped-air", Severity::error,
+              "a bore that lets air out is so narrow that it prints shut"},
+    CheckCode{"many-vents", Severity::warning, "a lattice mold needs more than 24 vents"},
+    CheckCode{"pour-volume", Severity::warning,
+              "cavity, film and bores take more than the amount that is mixed"},
+    // Inflating.
     CheckCode{"not-predictable", Severity::warning,
               "the model does not cover the segment, so that nothing under load is checked"},
     CheckCode{"limit-point", Severity::error,
@@ -47,6 +89,17 @@ constexpr std::array codes = {
               "strands nearer to the circumference than the model is valid"},
     CheckCode{"modulus-band", Severity::note,
               "the material is known too roughly to predict the motion within a fifth"},
+    // Files.
+    CheckCode{"mesh-not-finite", Severity::error, "a coordinate is not a finite number"},
+    CheckCode{"mesh-degenerate", Severity::error, "triangles have no area"},
+    CheckCode{"mesh-open-edge", Severity::error, "the surface has holes"},
+    CheckCode{"mesh-crowded-edge", Severity::error, "more than two triangles share an edge"},
+    CheckCode{"mesh-inconsistent-edge", Severity::error,
+              "neighbouring triangles face opposite sides"},
+    CheckCode{"mesh-pinched-vertex", Severity::error, "the surface touches itself in a point"},
+    CheckCode{"mesh-self-intersection", Severity::error, "the surface crosses itself"},
+    CheckCode{"mesh-inside-out", Severity::error, "a body faces the wrong way"},
+    CheckCode{"enclosed-void", Severity::warning, "a cavity has no way out"},
 };
 
 }  // namespace

@@ -3,61 +3,190 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include <fmt/core.h>
+
+#include "checks/bed_check.h"
+#include "checks/lattice_use.h"
+#include "checks/plane_checks.h"
+#include "checks/strand_checks.h"
+#include "geometry/pattern/drawing_problems.h"
+#include "geometry/solid/arrangement.h"
 
 namespace latticast {
 namespace {
 
-/// Width of a strand, square to itself, at another radius: its extent around the tube grows with
-/// the radius, its pitch along the tube stays.
-double width_at_mm(const Segment& segment, const Grid& grid, double width_mm, double radius_mm) {
-  const double angle = grid.angle_deg * std::numbers::pi / 180;
-  const double stretch = radius_mm / segment.lattice_mid_radius_mm();
-  return width_mm * stretch / std::hypot(stretch * std::cos(angle), std::sin(angle));
+constexpr double radians = std::numbers::pi / 180;
+
+void append(CheckFindings& findings, CheckFindings more) {
+  std::move(more.begin(), more.end(), std::back_inserter(findings));
 }
 
-void check_strand_widths(const Design& design, std::size_t s, CheckFindings& findings) {
-  const Segment& segment = design.segments[s];
-  const double limit = least_wall_mm(design.printer);
+bool is_to_be_drawn(const Make& make) {
+  return make.lattice || make.lattice_mold || make.preview ||
+         (make.liner_mold && make.liner_mold->keyed);
+}
+
+CheckFinding cannot_draw(int number, std::string why) {
+  CheckFinding finding = check_finding("cannot-draw");
+  finding.segment = number;
+  finding.part = "lattice";
+  finding.message = std::move(why);
+  finding.remedy = "change what the message names";
+  return finding;
+}
+
+// "KEY: what is wrong; what works": the keys of problems name the family.
+CheckFindings drawing_findings(const Segment& segment, int number) {
+  CheckFindings findings;
+  for (const std::string& problem : drawing_problems(segment)) {
+    findings.push_back(cannot_draw(number, problem));
+  }
+  return findings;
+}
+
+std::optional<UnitedLattice> united_lattice(const Segment& segment, int number,
+                                            CheckFindings& findings) {
+  try {
+    return UnitedLattice{segment, number, lattice_plane(segment)};
+  } catch (const GeometryError& fault) {
+    findings.push_back(cannot_draw(number, fault.what()));
+    return std::nullopt;
+  }
+}
+
+void check_overhang(const Segment& segment, int number, const FreePrinting& free,
+                    CheckFindings& findings) {
   for (std::size_t g = 0; g < segment.lattice->grids.size(); ++g) {
-    const Grid& grid = segment.lattice->grids[g];
-    const auto thinnest = std::min_element(grid.widths_mm.begin(), grid.widths_mm.end());
-    if (thinnest == grid.widths_mm.end()) continue;
-    const double width = width_at_mm(segment, grid, *thinnest, segment.liner_outer_radius_mm());
-    if (!clearly_below(width, limit)) continue;
-    CheckFinding finding = check_finding("strand-too-thin");
-    finding.segment = static_cast<int>(s) + 1;
-    finding.part = fmt::format("grid {} strand {}", g, thinnest - grid.widths_mm.begin());
-    finding.value = width;
-    finding.limit = limit;
-    finding.unit = "mm";
+    const double slope = least_slope_deg(segment, segment.lattice->grids[g]);
+    if (!clearly_below(slope, free.least_slope_deg)) continue;
+    CheckFinding finding = check_finding("overhang");
+    finding.segment = number;
+    finding.part = fmt::format("grid {}", g);
+    finding.value = slope;
+    finding.limit = free.least_slope_deg;
+    finding.unit = "degrees";
     finding.message = fmt::format(
-        "is {:.3g} mm wide at its inner radius; the printer's least wall "
-        "is {:.3g} mm",
-        width, limit);
-    finding.remedy =
-        fmt::format("width = {:.3g}", std::ceil(1000 * *thinnest * limit / width) / 1000);
+        "its strands rise {} {:.3g} degrees from the bed where they are flattest, standing on the "
+        "segment's end; {:.3g} degrees print without supports",
+        segment.lattice->grids[g].horseshoe ? "as little as" : "at", slope, free.least_slope_deg);
+    finding.remedy = "print it with supports, or cast it: lattice_mold = {}";
     findings.push_back(std::move(finding));
   }
 }
 
-}  // namespace
-
-double least_wall_mm(const Printer& printer) {
-  return printer.min_wall_mm.value_or(printer.process == Process::sla ? 0.4 : 0.8);
+void check_bridges(const UnitedLattice& lattice, const FreePrinting& free,
+                   CheckFindings& findings) {
+  const Bridge bridge = longest_bridge(lattice);
+  if (!clearly_above(bridge.length_mm, free.longest_bridge_mm)) return;
+  CheckFinding finding = check_finding("long-bridge");
+  finding.segment = lattice.number;
+  finding.part = "rings";
+  finding.place = place_of(lattice, bridge.middle);
+  finding.value = bridge.length_mm;
+  finding.limit = free.longest_bridge_mm;
+  finding.unit = "mm";
+  finding.message = fmt::format(
+      "the underside runs level for {:.4g} mm between supports, at the outer radius; {:.3g} mm "
+      "print without supports",
+      bridge.length_mm, free.longest_bridge_mm);
+  finding.remedy = "print it with supports, use more strands, or cast it: lattice_mold = {}";
+  findings.push_back(std::move(finding));
 }
 
-double least_gap_mm(const Printer& printer) {
-  return printer.min_gap_mm.value_or(printer.process == Process::sla ? 0.2 : 0.4);
+bool has_code(const CheckFindings& findings, std::string_view code) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [&](const CheckFinding& finding) { return finding.code == code; });
+}
+
+void check_use(const UnitedLattice& lattice, const LatticeUse& use, const FreePrinting& free,
+               CheckFindings& findings) {
+  CheckFindings sizes = strand_checks(lattice.segment, lattice.number, use);
+  const bool gaps_are_wide = !has_code(sizes, "gap-too-small");
+  append(findings, std::move(sizes));
+  append(findings, plane_checks(lattice, use, gaps_are_wide));
+  if (!use.free_standing) return;
+  check_overhang(lattice.segment, lattice.number, free, findings);
+  check_bridges(lattice, free, findings);
+}
+
+void check_lattice(const Design& design, std::size_t s, CheckFindings& findings) {
+  const Segment& segment = design.segments[s];
+  const int number = static_cast<int>(s) + 1;
+  const std::vector<LatticeUse> uses = lattice_uses(design);
+  const bool drawn = is_to_be_drawn(design.make);
+  if (!drawn && uses.empty()) return;
+  if (CheckFindings problems = drawing_findings(segment, number); !problems.empty()) {
+    if (drawn) append(findings, std::move(problems));
+    return;
+  }
+  const auto lattice = united_lattice(segment, number, findings);
+  if (!lattice) return;
+  for (std::size_t i = 0; i < uses.size(); ++i) {
+    CheckFindings more;
+    check_use(*lattice, uses[i], free_printing(design.printer.process), more);
+    // What falls apart does so however it is made.
+    if (i > 0) std::erase_if(more, [](const CheckFinding& f) { return f.code == "loose-part"; });
+    append(findings, std::move(more));
+  }
+}
+
+void check_printed_liner(const Design& design, std::size_t s, CheckFindings& findings) {
+  const double thickness = design.segments[s].liner.thickness_mm;
+  const double limit = least_wall_mm(design.printer);
+  if (!clearly_below(thickness, limit)) return;
+  CheckFinding finding = check_finding("layer-too-thin");
+  finding.segment = static_cast<int>(s) + 1;
+  finding.part = "liner";
+  finding.value = thickness;
+  finding.limit = limit;
+  finding.unit = "mm";
+  finding.message =
+      fmt::format("is {:.3g} mm thick; the printer's least wall is {:.3g} mm", thickness, limit);
+  finding.remedy = fmt::format("liner.thickness = {:.4g}", limit);
+  findings.push_back(std::move(finding));
+}
+
+void check_bed(const Design& design, std::size_t s, CheckFindings& findings) {
+  if (!design.printer.bed_mm) return;
+  const Segment& segment = design.segments[s];
+  const auto add = [&](const std::string& part, double radius) {
+    auto finding =
+        bed_finding(part, {2 * radius, 2 * radius, segment.length_mm}, *design.printer.bed_mm);
+    if (!finding) return;
+    finding->segment = static_cast<int>(s) + 1;
+    finding->remedy = fmt::format("use a larger printer, or segments of at most {:g} mm",
+                                  std::min(segment.length_mm, (*design.printer.bed_mm)[2]));
+    findings.push_back(std::move(*finding));
+  };
+  if (design.make.lattice && segment.lattice) add("lattice", segment.outer_radius_mm());
+  if (design.make.liner) add("liner", segment.liner_outer_radius_mm());
+}
+
+}  // namespace
+
+FreePrinting free_printing(Process process) {
+  return process == Process::sla ? FreePrinting{19, 21} : FreePrinting{45, 10};
+}
+
+double least_slope_deg(const Segment& segment, const Grid& grid) {
+  const double turned = grid.horseshoe ? 0.5 * grid.horseshoe->arc_deg : 0;
+  const double slope = std::max(0.0, 90 - std::abs(grid.angle_deg - 90) - turned);
+  if (slope == 0 || slope == 90) return slope;
+  const double stretch = segment.outer_radius_mm() / segment.lattice_mid_radius_mm();
+  return std::atan(std::tan(slope * radians) / stretch) / radians;
 }
 
 CheckFindings print_checks(const Design& design) {
   CheckFindings findings;
   for (std::size_t s = 0; s < design.segments.size(); ++s) {
-    if (!design.segments[s].lattice) continue;
-    check_strand_widths(design, s, findings);
+    if (design.segments[s].lattice) check_lattice(design, s, findings);
+    if (design.make.liner) check_printed_liner(design, s, findings);
+    check_bed(design, s, findings);
   }
   return findings;
 }

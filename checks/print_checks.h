@@ -8,13 +8,20 @@
 
 namespace latticast {
 
-/// The printer's smallest sizes, as the design states them or as its process is commonly given:
-/// fdm 0.8 mm walls (two lines of a 0.4 mm nozzle) and 0.4 mm gaps; sla 0.4 mm and 0.2 mm.
-double least_wall_mm(const Printer& printer);
-double least_gap_mm(const Printer& printer);
+/// What a process prints without supports, from common design rules (docs/checks.md).
+struct FreePrinting {
+  double least_slope_deg = 0;  ///< from the bed
+  double longest_bridge_mm = 0;
+};
+FreePrinting free_printing(Process process);
 
-/// Checks of what `[make]` asks to be printed. Where the lattice is cast instead, its strands are
-/// the grooves of the mold, and its gaps the mold's lands: the limits change places.
+/// The slope from the bed of a family's strands in an upright print, at the outer radius, where it
+/// is least; of horseshoes the slope of their flattest piece.
+double least_slope_deg(const Segment& segment, const Grid& grid);
+
+/// Checks of what `[make]` asks to be printed (lattice_use.h), and of the lattice in the grooves of
+/// its mold. A lattice that is to be drawn and cannot be gets cannot-draw, and no checks of what
+/// would be drawn; one that is only predicted (columns = "rods") may be anything.
 CheckFindings print_checks(const Design& design);
 
 }  // namespace latticast
