@@ -52,6 +52,7 @@ TEST(LoadChecks, RemediesPass) {
   int taken = 0;
   for (const auto& folder :
        std::filesystem::directory_iterator(LATTICAST_SOURCE_DIR "/tests/checks")) {
+    if (!std::filesystem::exists(folder.path() / "rejected.toml")) continue;  // a mesh
     const ReadResult read = read_design_file(folder.path() / "rejected.toml", built_in_materials());
     ASSERT_TRUE(read.ok()) << folder.path();
     const std::string code = folder.path().filename();
