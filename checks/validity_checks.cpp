@@ -60,14 +60,15 @@ Law scaled(Law law, double factor) {
 /// One angle or stretch of a state that a user looks at.
 struct Quantity {
   const char* name;
+  const char* unit;
   double value;
 };
 
 std::array<Quantity, 3> quantities(const Segment& segment, const State& state) {
   constexpr double degree = std::numbers::pi / 180;
-  return {Quantity{"elongation in %", 100 * (state.stretch - 1)},
-          Quantity{"twist in degrees", state.twist_rad_per_mm * segment.length_mm / degree},
-          Quantity{"bending in degrees",
+  return {Quantity{"elongation", "%", 100 * (state.stretch - 1)},
+          Quantity{"twist", "degrees", state.twist_rad_per_mm * segment.length_mm / degree},
+          Quantity{"bending", "degrees",
                    state.bend_magnitude_rad_per_mm() * segment.length_mm / degree}};
 }
 
@@ -100,8 +101,8 @@ void add_band(const LoadedSegment& loaded, const ModelChoice& model, const Band&
       if (std::abs(before[i].value) < 0.1) continue;  // nothing that one would see
       const double difference = std::abs(after[i].value / before[i].value - 1);
       largest = std::max(largest, difference);
-      change += fmt::format("{}{} {:.3g} instead of {:.3g}", change.empty() ? "" : ", ",
-                            before[i].name, after[i].value, before[i].value);
+      change += fmt::format("{}{} {:.3g} instead of {:.3g} {}", change.empty() ? "" : ", ",
+                            before[i].name, after[i].value, before[i].value, before[i].unit);
     }
     if (!clearly_above(largest, largest_difference)) return;
     finding.value = largest;
