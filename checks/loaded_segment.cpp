@@ -11,22 +11,35 @@ namespace {
 
 constexpr int steps_of_load = 8;
 
-std::vector<double> pressures_of_load_kpa(const Design& design, std::size_t index) {
-  double most = 0;
-  double least = 0;
+constexpr std::size_t most_asked = 64;
+
+void sort_distinct(std::vector<double>& pressures) {
+  std::sort(pressures.begin(), pressures.end());
+  pressures.erase(std::unique(pressures.begin(), pressures.end()), pressures.end());
+}
+
+/// Distinct ones of the asked pressures, ascending; of very many some, the ends among them.
+std::vector<double> asked_pressures_kpa(const Design& design, std::size_t index) {
   std::vector<double> pressures;
-  for (const LoadCase& load : design.load) {
-    const double pressure = load.pressures_kpa[index];
-    most = std::max(most, pressure);
-    least = std::min(least, pressure);
-    pressures.push_back(pressure);
+  for (const LoadCase& load : design.load) pressures.push_back(load.pressures_kpa[index]);
+  sort_distinct(pressures);
+  if (pressures.size() <= most_asked) return pressures;
+  std::vector<double> some;
+  for (std::size_t i = 0; i < most_asked; ++i) {
+    some.push_back(pressures[i * (pressures.size() - 1) / (most_asked - 1)]);
   }
+  return some;
+}
+
+std::vector<double> pressures_of_load_kpa(const Design& design, std::size_t index) {
+  std::vector<double> pressures = asked_pressures_kpa(design, index);
+  const double least = std::min(0.0, pressures.front());
+  const double most = std::max(0.0, pressures.back());
   for (int i = 1; i < steps_of_load; ++i) {
     pressures.push_back(most * i / steps_of_load);
     pressures.push_back(least * i / steps_of_load);
   }
-  std::sort(pressures.begin(), pressures.end());
-  pressures.erase(std::unique(pressures.begin(), pressures.end()), pressures.end());
+  sort_distinct(pressures);
   return pressures;
 }
 

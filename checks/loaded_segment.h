@@ -19,7 +19,8 @@ namespace latticast {
 inline constexpr double least_limit_margin = 1.25;
 
 /// One segment over the load that the design asks of it: at every asked pressure, and at eight even
-/// steps from rest to the largest one and to the deepest suction.
+/// steps from rest to the largest one and to the deepest suction. Of more than 64 asked pressures
+/// 64 are taken, the ends among them: the branch between them is the same.
 struct LoadedSegment {
   const Segment* segment = nullptr;  ///< into the design, which must outlive this
   int number = 0;                    ///< from 1

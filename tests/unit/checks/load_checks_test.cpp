@@ -103,6 +103,17 @@ TEST(LoadChecks, TakeEverySegmentAtItsOwnPressures) {
   EXPECT_EQ(finding->part, "liner");
 }
 
+TEST(LoadChecks, KeepTheEndsOfALoadOfThousands) {
+  Design design = design_of(paper_segment({36}), {});
+  for (int i = 0; i <= 3000; ++i) design.load.push_back({{-4 + 0.01 * i}});
+  const LoadedSegment loaded = load_segment(design, 0);
+  EXPECT_LE(loaded.pressures_kpa.size(), 64U + 14);
+  EXPECT_EQ(loaded.pressures_kpa.front(), -4);
+  EXPECT_EQ(loaded.pressures_kpa.back(), 26);
+  EXPECT_EQ(loaded.states().size(), loaded.pressures_kpa.size());
+  EXPECT_EQ(loaded.response.states.size(), loaded.pressures_kpa.size() + 2);
+}
+
 TEST(LoadChecks, FindThePressureAtWhichALimitIsReached) {
   Segment tearing = paper_segment({36});
   tearing.liner.material.elongation_at_break = 0.3;
