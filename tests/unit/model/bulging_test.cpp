@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -149,6 +150,48 @@ TEST(LinerBulges, BalloonAsABareTubeBetweenFarRings) {
     EXPECT_TRUE(beyond.balloons());
     EXPECT_EQ(beyond.height_mm, HUGE_VAL);
   }
+}
+
+/// Height in mid gap of a thin tube between rigid rings at a small pressure: its wall bends, shears
+/// and resists widening, clamped at the edges of the gap,
+///     D psi'' + S (w' - psi) = 0,  S (w'' - psi') - K w + q = 0,
+/// solved by its exponentials. Closed ends bear a quarter of the pressure: q = 3/4 P, K = E t/R^2.
+double clamped_tube_bulge_mm(double shear_modulus_mpa, double radius_mm, double thickness_mm,
+                             double gap_mm, double pressure_mpa) {
+  using Complex = std::complex<double>;
+  const double bending = shear_modulus_mpa * std::pow(thickness_mm, 3) / 3;
+  const double shear = 5.0 / 6 * shear_modulus_mpa * thickness_mm;
+  const double widening = 3 * shear_modulus_mpa * thickness_mm / (radius_mm * radius_mm);
+  const double free_height = 0.75 * pressure_mpa / widening;
+  const double half = 0.5 * widening / shear;
+  const Complex spread = std::sqrt(Complex(half * half - widening / bending));
+  const Complex a = std::sqrt(half + spread);
+  const Complex b = std::sqrt(half - spread);
+  const auto turning = [&](const Complex& rate) {
+    return (rate - widening / (shear * rate)) * std::sinh(rate * 0.5 * gap_mm);
+  };
+  const Complex height_a = std::cosh(a * 0.5 * gap_mm);
+  const Complex height_b = std::cosh(b * 0.5 * gap_mm);
+  const Complex share = free_height / (height_a * turning(b) - height_b * turning(a));
+  return free_height - (share * (turning(b) - turning(a))).real();
+}
+
+TEST(LinerBulges, AreNearThoseOfAClampedThinTube) {
+  double least = HUGE_VAL;
+  double most = 0;
+  for (const double gap : {0.5, 1.0, 2.0, 4.0, 6.0, 8.0, 12.0, 16.0, 24.0, 32.0, 64.0, 128.0}) {
+    Segment segment = ringed(gap + 2);
+    segment.liner.inner_radius_mm = 19.5;
+    segment.liner.thickness_mm = 1;
+    segment.lattice->material.law = Linear{1e6, 0.5};
+    const double pressure = 1e-4 * 0.08;
+    const double found = bulges_at(segment, 1000 * pressure).at(0).height_mm;
+    const double ratio = found / clamped_tube_bulge_mm(0.08, 20, 1, gap, pressure);
+    least = std::min(least, ratio);
+    most = std::max(most, ratio);
+  }
+  EXPECT_GT(least, 0.97);
+  EXPECT_LT(most, 1.25);  // wide gaps are flat, no parabola: 1/0.8
 }
 
 TEST(LinerBulges, KnowNoUnitOfLength) {
