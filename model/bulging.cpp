@@ -182,16 +182,17 @@ double root(const std::function<double(double)>& function, Sample low, Sample hi
   return 0.5 * (low.height_mm + high.height_mm);
 }
 
-/// The largest value of a function with a single hump, by golden section.
-double hump(const std::function<double(double)>& function, double low, double high) {
+/// Where a function with a single hump is largest, by golden section.
+Sample hump(const std::function<double(double)>& function, double low, double high) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1);
-  double largest = -HUGE_VAL;
+  Sample largest{low, -HUGE_VAL};
   for (int i = 0; i < 16; ++i) {
     const double left = high - golden * (high - low);
     const double right = low + golden * (high - low);
     const double at_left = function(left);
     const double at_right = function(right);
-    largest = std::max({largest, at_left, at_right});
+    if (at_left > largest.value) largest = {left, at_left};
+    if (at_right > largest.value) largest = {right, at_right};
     (at_left < at_right ? low : high) = at_left < at_right ? left : right;
   }
   return largest;
@@ -208,7 +209,7 @@ void settle(Bulge& bulge, double radius_mm, const std::function<double(double)>&
     return highest * share * share;
   };
   double below = surplus(0);
-  double largest = below;
+  Sample largest{0, below};
   bool found = below >= 0;
   for (int i = 1; i <= heights; ++i) {
     const double above = surplus(height_of(i));
@@ -220,11 +221,12 @@ void settle(Bulge& bulge, double radius_mm, const std::function<double(double)>&
       largest = hump(surplus, height_of(std::max(0, i - 2)), height_of(i));
       break;
     }
-    largest = below = above;
+    largest = {height_of(i), above};
+    below = above;
   }
-  if (!found && largest >= 0) found = true;  // just before the top
-  bulge.largest_load_mpa = bulge.load_mpa + largest;
-  if (!found) bulge.height_mm = HUGE_VAL;
+  bulge.largest_load_mpa = bulge.load_mpa + largest.value;
+  // A load may also lie between the highest sample and the top.
+  if (!found) bulge.height_mm = largest.value >= 0 ? largest.height_mm : HUGE_VAL;
 }
 
 /// The widest clear distance between neighbouring strands, square to them, as they lie now.
