@@ -46,6 +46,8 @@ cp "$fixtures/mesh-open-edge/rejected.obj" TORN.OBJ
 expect 1 "$program" check TORN.OBJ --format json
 says '"design": null'
 says '"value": 3.0'
+cp TORN.OBJ $'\xff.obj'
+expect 1 "$program" check $'\xff.obj' --format json
 expect 4 "$program" check absent.stl TORN.OBJ
 says "mesh-open-edge"
 err_says "absent.stl"
