@@ -77,7 +77,8 @@ std::string check_json(std::string_view design, const CheckFindings& findings) {
   json["notes"] = count(findings, Severity::note);
   json["findings"] = nlohmann::ordered_json::array();
   for (const CheckFinding& finding : findings) json["findings"].push_back(to_json(finding));
-  return json.dump(2) + "\n";
+  // Names of files may be any bytes.
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace latticast

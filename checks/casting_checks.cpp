@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -32,8 +33,9 @@ class MoldChecks {
       : design_(design), number_(static_cast<int>(s) + 1), segment_(design.segments[s]) {}
 
   CheckFindings run() {
-    if (design_.make.lattice_mold && segment_.lattice)
+    if (design_.make.lattice_mold && segment_.lattice) {
       check_lattice_mold(*design_.make.lattice_mold);
+    }
     if (design_.make.liner_mold) check_liner_mold(*design_.make.liner_mold);
     return std::move(findings_);
   }
@@ -264,8 +266,8 @@ double beside_cavity_mm3(const LatticeMoldPlan& plan) {
 CheckFindings casting_checks(const Design& design) {
   CheckFindings findings;
   for (std::size_t s = 0; s < design.segments.size(); ++s) {
-    for (CheckFinding& finding : MoldChecks(design, s).run())
-      findings.push_back(std::move(finding));
+    CheckFindings more = MoldChecks(design, s).run();
+    std::move(more.begin(), more.end(), std::back_inserter(findings));
   }
   return findings;
 }

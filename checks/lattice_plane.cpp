@@ -14,7 +14,8 @@ namespace latticast {
 namespace {
 
 constexpr int few_columns = 3;  // the plane is flat: columns only cut outlines
-constexpr double closing_mm = 0.01;
+constexpr double coarsest_mm = 0.01;
+constexpr double share_of_finest = 0.05;
 constexpr double finest_slack_mm = 1e-3;
 constexpr double straight_sine = 1e-7;  // grid steps bend a line by less
 
@@ -24,6 +25,15 @@ double cross(PlanePoint a, PlanePoint b, PlanePoint c) {
 
 double distance(PlanePoint a, PlanePoint b) {
   return std::hypot(b.u - a.u, b.z - a.z);
+}
+
+double finest_mm(const Lattice& lattice) {
+  double finest = lattice.rings ? lattice.rings->width_mm : HUGE_VAL;
+  if (lattice.fillet_mm > 0) finest = std::min(finest, lattice.fillet_mm);
+  for (const Grid& grid : lattice.grids) {
+    for (const double width : grid.widths_mm) finest = std::min(finest, width);
+  }
+  return finest;
 }
 
 std::vector<PlanePoint> points_of(const PlaneMesh& mesh) {
@@ -158,14 +168,15 @@ bool Outline::is_cell() const {
   return twice_area < 0;
 }
 
-LatticePlane lattice_plane(const Segment& segment, double flatness_mm) {
+LatticePlane lattice_plane(const Segment& segment) {
+  const double flatness_mm = std::min(coarsest_mm, share_of_finest * finest_mm(*segment.lattice));
   Pattern pattern = draw_lattice(segment, flatness_mm);
   if (segment.lattice->fillet_mm > 0) {
     pattern = with_fillets(pattern, segment.lattice->fillet_mm, flatness_mm);
   }
   LatticePlane plane{pattern.circumference_mm, pattern.length_mm, {}, {}, 0};
   const PlaneGrid grid = make_plane_grid(plane.circumference_mm, plane.length_mm, few_columns);
-  const PlaneMesh mesh = triangulate(unite(std::move(pattern), grid, {}, closing_mm));
+  const PlaneMesh mesh = triangulate(unite(std::move(pattern), grid, {}, flatness_mm));
   const std::vector<PlanePoint> points = points_of(mesh);
   plane.outlines = outlines_of(mesh, points, plane.circumference_mm);
   plane.parts = parts_of(mesh, points, plane.circumference_mm);

@@ -159,8 +159,11 @@ void check_bed(const Design& design, std::size_t s, CheckFindings& findings) {
         bed_finding(part, {2 * radius, 2 * radius, segment.length_mm}, *design.printer.bed_mm);
     if (!finding) return;
     finding->segment = static_cast<int>(s) + 1;
-    finding->remedy = fmt::format("use a larger printer, or segments of at most {:g} mm",
-                                  std::min(segment.length_mm, (*design.printer.bed_mm)[2]));
+    finding->remedy = "use a larger printer";
+    const double highest = (*design.printer.bed_mm)[2];
+    if (segment.length_mm > highest) {
+      finding->remedy += fmt::format(", or segments of at most {:g} mm", highest);
+    }
     findings.push_back(std::move(*finding));
   };
   if (design.make.lattice && segment.lattice) add("lattice", segment.outer_radius_mm());

@@ -238,6 +238,59 @@ TEST(PrintChecks, ColumnsThatOverlapAreAProblemOnlyWhereTheyAreDrawn) {
   EXPECT_TRUE(finds(design, "cannot-draw"));
 }
 
+TEST(PrintChecks, NeverThrow) {
+  const unsigned seed = 20267;
+  std::mt19937 random(seed);
+  const auto power = [&](double low, double high) {
+    return std::exp(uniform(random, std::log(low), std::log(high)));
+  };
+  int clean = 0;
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", design " + std::to_string(i));
+    Segment segment = twisting_segment();
+    const double size = power(0.1, 300);
+    segment.length_mm = size * power(0.3, 5);
+    segment.liner = {size, size * power(0.02, 1), {}};
+    Lattice& lattice = *segment.lattice;
+    lattice.thickness_mm = size * power(0.01, 0.3);
+    lattice.rings.reset();
+    if (i % 3 != 0) lattice.rings = Rings{2 + i % 5, std::nullopt, 0.02 * segment.length_mm};
+    if (i % 4 == 0) lattice.fillet_mm = size * power(1e-3, 0.2);
+    lattice.grids.clear();
+    for (int g = 0; g < i % 4; ++g) {
+      const double angle = uniform(random, 15, 165);
+      const int count = 1 + static_cast<int>(uniform(random, 0, 9));
+      const double share =
+          2 * test_pi * segment.lattice_mid_radius_mm() * std::sin(angle * test_pi / 180) / count;
+      const std::vector<double> widths(count, share * uniform(random, 0.01, 0.98));
+      lattice.grids.push_back({angle, widths, std::nullopt});
+      if (i % 7 != 0) continue;
+      HorseshoeColumn column{{size * power(0.05, 0.5), uniform(random, 90, 180), true},
+                             0,
+                             angle,
+                             widths[0],
+                             segment.length_mm};
+      column.shape.radius_mm = closing_radius_mm(column);
+      lattice.grids.back().horseshoe = column.shape;
+    }
+    if (!lattice.rings && lattice.grids.empty()) continue;
+    Design design = i % 2 == 0 ? printed(segment) : cast(segment);
+    CheckFindings findings;
+    EXPECT_NO_THROW(findings = print_checks(design));
+    for (const CheckFinding& finding : findings) {
+      EXPECT_FALSE(finding.message.empty());
+      EXPECT_FALSE(finding.remedy.empty());
+      EXPECT_TRUE(!finding.value || std::isfinite(*finding.value)) << finding.code;
+      EXPECT_TRUE(!finding.place ||
+                  (finding.place->theta_deg >= 0 && finding.place->theta_deg <= 360 &&
+                   finding.place->z_mm >= 0 && finding.place->z_mm <= segment.length_mm))
+          << finding.code;
+    }
+    clean += with_code(findings, "cannot-draw").empty() ? 1 : 0;
+  }
+  EXPECT_GT(clean, 150);
+}
+
 TEST(Overhang, SlopesAreThoseOfTheOuterRadius) {
   const Segment segment = twisting_segment();
   Grid grid = segment.lattice->grids[0];
