@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
+#include "app/check_command.h"
 #include "app/console.h"
 #include "app/exit_status.h"
 #include "app/materials_command.h"
@@ -48,6 +49,8 @@ struct CommandLine {
   std::vector<std::string> hold;
   std::string shape;
   std::vector<std::string> mesh_files;
+  std::vector<std::string> checked_files;
+  std::string check_format = "table";
   std::string material;
 };
 
@@ -89,6 +92,11 @@ void describe_commands(CLI::App& app, CommandLine& typed) {
   app.fallthrough();
   describe_build(app, typed);
   describe_predict(app, typed);
+  CLI::App* check =
+      app.add_subcommand("check", "Say what will go wrong before a part is printed or cast");
+  check->add_option("files", typed.checked_files, "a design file, mesh files, or both")->required();
+  check->add_option("--format", typed.check_format, "table or json")
+      ->check(CLI::IsMember({"table", "json"}));
   CLI::App* audit = app.add_subcommand("audit", "Prove that mesh files are closed, clean solids");
   audit->add_option("files", typed.mesh_files, "mesh files")->required();
   CLI::App* materials = app.add_subcommand("materials", "List the materials, or show one");
@@ -107,6 +115,12 @@ void describe_commands(CLI::App& app, CommandLine& typed) {
 ExitStatus run_command(const CLI::App& app, const CommandLine& typed, const Console& console) {
   if (app.got_subcommand("materials")) {
     return run_materials(typed.material, materials_path(typed), console);
+  }
+  if (app.got_subcommand("check")) {
+    return run_check({{typed.checked_files.begin(), typed.checked_files.end()},
+                      materials_path(typed),
+                      typed.check_format},
+                     console);
   }
   if (app.got_subcommand("predict")) {
 #if LATTICAST_HAS_PREDICT
@@ -168,7 +182,7 @@ ExitStatus run_guarded(const CLI::App& app, const CommandLine& typed, const Cons
 
 // CLI11 only says that a command is missing; a mistyped one deserves the nearest name.
 std::optional<std::string> mistyped_command(int argc, char** argv) {
-  const std::vector<std::string> known{"build", "predict", "audit", "materials"};
+  const std::vector<std::string> known{"build", "predict", "check", "audit", "materials"};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--materials") ++i;

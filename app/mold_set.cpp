@@ -4,8 +4,7 @@
 #include <fmt/core.h>
 
 #include "molds/cannot_mold.h"
-#include "molds/lattice_mold.h"
-#include "molds/liner_mold.h"
+#include "molds/mold_options.h"
 #include "molds/plugs.h"
 #include "molds/pour_plan.h"
 #include "molds/print_size.h"
@@ -14,30 +13,10 @@
 namespace latticast {
 namespace {
 
-// A rubber is stretched far below its break when it is peeled out of a groove, again and again.
-constexpr double share_of_break = 0.25;
-constexpr double usual_strain = 0.5;
-
-MoldFit fit_of(const Design& design, const Material& cast, double wall_mm) {
-  return {fit_clearance_mm(design.printer), wall_mm, design.output.tolerance_mm, mold_growth(cast)};
-}
-
-LatticeMoldOptions lattice_options(const Design& design, const Lattice& lattice) {
-  const LatticeMold& asked = *design.make.lattice_mold;
-  const std::optional<double>& at_break = lattice.material.elongation_at_break;
-  return {fit_of(design, lattice.material, asked.wall_mm), asked.pieces,
-          at_break ? share_of_break * *at_break : usual_strain};
-}
-
-LinerMoldOptions liner_options(const Design& design, const Liner& liner) {
-  const LinerMold& asked = *design.make.liner_mold;
-  return {fit_of(design, liner.material, asked.wall_mm), asked.ends, asked.keyed, asked.pieces};
-}
-
 // What the flexible mold is cast of is the workshop's choice.
 PlannedMold planned_replica_mold(const Design& design, std::size_t s) {
   const Segment& segment = design.segments[s];
-  Mold mold = replica_mold(segment, lattice_options(design, *segment.lattice));
+  Mold mold = replica_mold(segment, lattice_mold_options(design, segment));
   Material rubber;
   rubber.name = "mold rubber";
   Casting casting{fmt::format("Flexible mold for the lattice of segment {}", s + 1), mold, rubber,
@@ -52,7 +31,7 @@ PlannedMold planned_lattice_mold(const Design& design, std::size_t s) {
     return planned_replica_mold(design, s);
   }
   const Segment& segment = design.segments[s];
-  Mold mold = lattice_mold(segment, lattice_options(design, *segment.lattice));
+  Mold mold = lattice_mold(segment, lattice_mold_options(design, segment));
   Casting casting{fmt::format("Lattice of segment {}", s + 1), mold, segment.lattice->material,
                   design.printer.process};
   casting.through_bores = true;
@@ -62,7 +41,7 @@ PlannedMold planned_lattice_mold(const Design& design, std::size_t s) {
 
 PlannedMold planned_liner_mold(const Design& design, std::size_t s) {
   const Segment& segment = design.segments[s];
-  const LinerMoldOptions options = liner_options(design, segment.liner);
+  const LinerMoldOptions options = liner_mold_options(design, segment);
   Mold mold = liner_mold(segment, options);
   PlugOptions plug_options;
   plug_options.tolerance_mm = design.output.tolerance_mm;

@@ -288,6 +288,12 @@ LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptio
   return plan;
 }
 
+MoldExtent extent_of(const LatticeMoldPlan& plan) {
+  const MoldFit& fit = plan.options.fit;
+  return {2 * (plan.shell.outer_radius_mm + 0.5 * fit.clearance_mm + fit.wall_mm),
+          plan.segment.length_mm + 2 * (plan.land_mm + socket_mm) - fit.clearance_mm};
+}
+
 Mold lattice_mold(const LatticeMoldPlan& plan) {
   Mold mold = shell_pieces_nudged(plan);
   add_rings(plan, mold);

@@ -35,6 +35,13 @@ struct LatticeMoldPlan {
 /// arrangement.h).
 LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptions& options);
 
+/// How large the widest and the highest piece are, in printing pose: base and cap, and the core.
+struct MoldExtent {
+  double plate_diameter_mm = 0;
+  double core_length_mm = 0;
+};
+MoldExtent extent_of(const LatticeMoldPlan& plan);
+
 /// The pieces: shell-1 to shell-N, core, base, cap. The cavity lies at 0 <= z <= the segment's
 /// length and is the lattice, R_m <= R <= R_o. Every piece is one part; neighbouring pieces are the
 /// clearance apart but for the faces on which they stand. Seams are moved a little, where edges

@@ -23,6 +23,7 @@ geometry/solid    spec geometry/mesh geometry/pattern
 model             spec geometry/mesh geometry/pattern
 molds             spec geometry/mesh geometry/pattern geometry/solid
 export            spec geometry/mesh
+checks            spec geometry/mesh geometry/pattern geometry/solid model molds
 app               *
 bench             *
 tests             *
@@ -32,7 +33,7 @@ tests             *
 # bench and tests may include any.
 owners='
 ^toml\+\+/           spec
-^fmt/                spec geometry/mesh geometry/pattern geometry/solid model molds export app
+^fmt/                spec geometry/mesh geometry/pattern geometry/solid model molds export checks app
 ^Eigen/              geometry/mesh geometry/pattern geometry/solid model
 ^(CGAL|boost)/       geometry/solid molds
 ^polyclipping/       geometry/solid
@@ -133,7 +134,7 @@ include_violations() {
 # Designs that users copy (examples) and test data carry no licence line of their own.
 licence_violations() {
   { grep -E '(\.(h|cpp|in|cmake|sh|py|toml)|(^|/)CMakeLists\.txt|^dev|^\.ci/run)$' || true; } |
-    { grep -vE '^(examples|tests/golden)/' || true; } |
+    { grep -vE '^(examples|tests/golden|tests/checks)/' || true; } |
     while read -r file; do
       head -n 2 "$file" | awk -v file="$file" '
         NR == 1 && /^#!/ { script = 1 }
@@ -150,7 +151,7 @@ machine_path_violations() {
 # All headers share one namespace: two types of one name would share their constructors, too, and the
 # linker keeps only one of each.
 repeated_type_violations() {
-  { grep -E '^(spec|geometry|model|molds|export|app|bench)/.*\.h$' || true; } |
+  { grep -E '^(spec|geometry|model|molds|export|checks|app|bench)/.*\.h$' || true; } |
     { xargs -d '\n' -r grep -HnE '^(struct|class|enum class|union) +[A-Za-z0-9_]+( |:|[{]|$)' || true; } |
     awk -F: '
       {

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/check_command.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+#include "app/check_output.h"
+#include "app/design_input.h"
+#include "checks/check_design.h"
+#if LATTICAST_HAS_GEOMETRY
+#include "checks/mesh_checks.h"
+#include "export/mesh_file.h"
+#include "spec/file_error.h"
+#endif
+
+namespace latticast {
+namespace {
+
+constexpr std::array<std::string_view, 5> mesh_endings = {".stl", ".obj", ".ply", ".3mf", ".glb"};
+
+bool has_error(const CheckFindings& findings) {
+  return std::any_of(findings.begin(), findings.end(), [](const CheckFinding& finding) {
+    return finding.severity == Severity::error;
+  });
+}
+
+bool is_mesh(const std::filesystem::path& file) {
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c;
+  });
+  return std::find(mesh_endings.begin(), mesh_endings.end(), ending) != mesh_endings.end();
+}
+
+struct Checked {
+  CheckFindings findings;
+  std::string design;  // its name; empty where there is none
+  ExitStatus status = ExitStatus::done;
+};
+
+void add(CheckFindings more, Checked& checked) {
+  std::move(more.begin(), more.end(), std::back_inserter(checked.findings));
+}
+
+#if LATTICAST_HAS_GEOMETRY
+void check_mesh(const std::filesystem::path& file, const Console& console, Checked& checked) {
+  try {
+    add(mesh_checks(read_mesh(file), file.string()), checked);
+  } catch (const FileError& fault) {
+    console.error(fault.what());
+    checked.status = ExitStatus::file_error;
+  }
+}
+#else
+void check_mesh(const std::filesystem::path& file, const Console& console, Checked& checked) {
+  console.error(file.string() +
+                ": this program was built without meshes: configure with -DLATTICAST_GEOMETRY=ON");
+  checked.status = ExitStatus::invalid;
+}
+#endif
+
+}  // namespace
+
+ExitStatus run_check(const CheckArguments& arguments, const Console& console) {
+  if (std::count_if(arguments.files.begin(), arguments.files.end(), std::not_fn(is_mesh)) > 1) {
+    console.error("check takes one design at a time, beside any number of mesh files");
+    return ExitStatus::invalid;
+  }
+  Checked checked;
+  for (const std::filesystem::path& file : arguments.files) {
+    if (is_mesh(file)) {
+      check_mesh(file, console, checked);
+      continue;
+    }
+    const auto materials = load_materials(arguments.materials, console);
+    if (!materials) return ExitStatus::invalid;
+    const auto design = load_design(file, *materials, console);
+    if (!design) return ExitStatus::invalid;
+    checked.design = design->name;
+    add(check_design(*design), checked);
+  }
+  console.data(arguments.format == "json" ? check_json(checked.design, checked.findings)
+                                          : check_table(checked.findings));
+  if (checked.status != ExitStatus::done) return checked.status;
+  return has_error(checked.findings) ? ExitStatus::check_failed : ExitStatus::done;
+}
+
+}  // namespace latticast

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checks/bed_check.h"
+
+#include <algorithm>
+
+#include <fmt/core.h>
+
+namespace latticast {
+
+// The larger side is compared with the bed's larger one: either lies along the other after a
+// quarter turn.
+std::optional<CheckFinding> bed_finding(const std::string& part, const StandingSize& size,
+                                        const std::array<double, 3>& bed_mm) {
+  const auto [short_side, long_side] = std::minmax(size.width_mm, size.depth_mm);
+  const auto [short_bed, long_bed] = std::minmax(bed_mm[0], bed_mm[1]);
+  CheckFinding finding = check_finding("exceeds-bed");
+  finding.part = part;
+  finding.unit = "mm";
+  const auto exceeds = [&](double value, double limit) {
+    if (!clearly_above(value, limit)) return false;
+    finding.value = value;
+    finding.limit = limit;
+    return true;
+  };
+  if (!exceeds(size.height_mm, bed_mm[2]) && !exceeds(long_side, long_bed) &&
+      !exceeds(short_side, short_bed)) {
+    return std::nullopt;
+  }
+  finding.message = fmt::format(
+      "is {:.4g} x {:.4g} x {:.4g} mm, standing on its end; the printer takes {:.4g} x {:.4g} x "
+      "{:.4g} mm",
+      size.width_mm, size.depth_mm, size.height_mm, bed_mm[0], bed_mm[1], bed_mm[2]);
+  return finding;
+}
+
+}  // namespace latticast

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checks/check_design.h"
+
+#include <iterator>
+#include <utility>
+
+#if LATTICAST_HAS_GEOMETRY
+#include "checks/print_checks.h"
+#endif
+#if LATTICAST_HAS_MOLDS
+#include "checks/casting_checks.h"
+#endif
+#if LATTICAST_HAS_PREDICT
+#include "checks/load_checks.h"
+#endif
+
+namespace latticast {
+
+CheckFindings check_design(const Design& design) {
+  CheckFindings findings;
+  const auto add = [&](CheckFindings more) {
+    std::move(more.begin(), more.end(), std::back_inserter(findings));
+  };
+#if LATTICAST_HAS_GEOMETRY
+  add(print_checks(design));
+#endif
+#if LATTICAST_HAS_MOLDS
+  add(casting_checks(design));
+#endif
+#if LATTICAST_HAS_PREDICT
+  add(load_checks(design));
+#endif
+  return findings;
+}
+
+}  // namespace latticast

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All checks of a design together.
+#pragma once
+
+#include "checks/check_finding.h"
+#include "spec/design.h"
+
+namespace latticast {
+
+/// Everything that this build can check: printing with LATTICAST_GEOMETRY, casting with
+/// LATTICAST_MOLDS, inflating with LATTICAST_PREDICT. A design that cannot be drawn, molded or
+/// predicted gets a finding that says so, not an exception.
+CheckFindings check_design(const Design& design);
+
+}  // namespace latticast

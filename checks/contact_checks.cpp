@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checks/contact_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <fmt/core.h>
+
+#include "checks/strand_stations.h"
+#include "geometry/pattern/horseshoe_path.h"
+#include "geometry/pattern/rings.h"
+#include "model/inflated_wall.h"
+
+namespace latticast {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// A free rubber surface creases where compression along it, over the stretch square to it, falls
+// to 0.65^2: W. Hong, X. Zhao, Z. Suo, Appl. Phys. Lett. 95 (2009) 111901.
+constexpr double creasing = 0.65 * 0.65;
+
+double shortened_side_rad(const State& state) {
+  return lengthened_side_rad(state) + pi;
+}
+
+double ring_gap_mm(const Segment& segment, const State& state) {
+  const Rings& rings = *segment.lattice->rings;
+  const double side = shortened_side_rad(state);
+  const double axial = wall_stretch(segment, state, segment.outer_radius_mm(), side).axial;
+  return axial * ring_pitch_mm(rings, segment.length_mm) - rings.width_mm;
+}
+
+double width_of_pair_mm(const Grid& grid, int strand) {
+  return 0.5 * (grid.widths_mm[strand] + grid.widths_mm[(strand + 1) % grid.count()]);
+}
+
+double straight_gap_mm(const Segment& segment, const Grid& grid, const State& state) {
+  const double angle = grid.angle_deg * pi / 180;
+  double least = HUGE_VAL;
+  for (const StrandStation& station : strand_stations(segment, grid, state)) {
+    const WallStretch at =
+        wall_stretch(segment, state, segment.lattice_mid_radius_mm(), station.theta_rad);
+    const double spacing = 2 * pi * at.radius_mm / grid.count() * std::sin(at.turned_rad(angle));
+    least = std::min(least, spacing - width_of_pair_mm(grid, station.strand));
+  }
+  return least;
+}
+
+/// The circular arc of the same length whose chord is `stretch` times as long; fully stretched arcs
+/// are kept a little round.
+Horseshoe bent_arc(const Horseshoe& rest, double stretch) {
+  const double half = 0.5 * rest.arc_deg * pi / 180;
+  const double ratio = std::min(0.999, stretch * std::sin(half) / half);  // chord over arc
+  double low = 0;
+  double high = pi;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    (std::sin(middle) > ratio * middle ? low : high) = middle;
+  }
+  Horseshoe arc = rest;
+  arc.radius_mm = rest.radius_mm * half / low;
+  arc.arc_deg = 2 * low * 180 / pi;
+  return arc;
+}
+
+/// Between neighbouring columns, and inside an arc of its own, whichever is less.
+double horseshoe_gap_mm(const Segment& segment, const Grid& grid, const State& state) {
+  const double angle = grid.angle_deg * pi / 180;
+  double least = HUGE_VAL;
+  for (const StrandStation& station : strand_stations(segment, grid, state)) {
+    const WallStretch at =
+        wall_stretch(segment, state, segment.lattice_mid_radius_mm(), station.theta_rad);
+    HorseshoeColumn column;
+    column.shape = bent_arc(*grid.horseshoe, at.along(angle));
+    column.angle_deg = at.turned_rad(angle) * 180 / pi;
+    column.width_mm = station.width_mm;
+    column.length_mm = at.axial * segment.length_mm;
+    const double spacing = 2 * pi * at.radius_mm / grid.count();
+    const double between = grid.count() < 2 ? HUGE_VAL
+                                            : centre_distance_mm(column, spacing) -
+                                                  width_of_pair_mm(grid, station.strand);
+    const double inside = 2 * column.shape.radius_mm - station.width_mm;
+    least = std::min({least, between, inside});
+  }
+  return least;
+}
+
+void check_gap(const LoadedSegment& loaded, const std::string& part,
+               const std::function<double(const State&)>& gap, CheckFindings& findings) {
+  const Measure measure{"strands-touch-inflated", part, "mm", 0, false, gap};
+  State rest;
+  rest.inner_radius_mm = loaded.segment->inner_radius_mm();
+  if (gap(rest) < 0) return;  // then it cannot even be drawn
+  const auto beyond = excess(loaded, measure);
+  if (!beyond) return;
+  CheckFinding finding = finding_of(loaded, measure, *beyond);
+  finding.message = fmt::format(
+      "touch each other from {:.3g} kPa on; at {:.4g} kPa {:.3g} mm are missing between them, and "
+      "contact is not modelled",
+      beyond->from_kpa, beyond->worst_kpa, -beyond->worst);
+  finding.remedy = pressure_remedy(beyond->safe_kpa) + ", fewer of them, or narrower ones";
+  findings.push_back(std::move(finding));
+}
+
+void check_gaps(const LoadedSegment& loaded, CheckFindings& findings) {
+  const Segment& segment = *loaded.segment;
+  const Lattice& lattice = *segment.lattice;
+  if (lattice.rings && ring_centres_mm(*lattice.rings, segment.length_mm).size() > 1) {
+    check_gap(
+        loaded, "rings", [&](const State& state) { return ring_gap_mm(segment, state); }, findings);
+  }
+  for (std::size_t i = 0; i < lattice.grids.size(); ++i) {
+    const Grid& grid = lattice.grids[i];
+    if (grid.count() < 2 && !grid.horseshoe) continue;
+    check_gap(
+        loaded, fmt::format("grid {}", i),
+        [&](const State& state) {
+          return grid.horseshoe ? horseshoe_gap_mm(segment, grid, state)
+                                : straight_gap_mm(segment, grid, state);
+        },
+        findings);
+  }
+}
+
+/// Least stretch in the wall over the stretch across it, at either face of the liner.
+double crease_ratio(const Segment& segment, const State& state) {
+  const double side = shortened_side_rad(state);
+  double least = HUGE_VAL;
+  for (const double radius : {segment.inner_radius_mm(), segment.liner_outer_radius_mm()}) {
+    const WallStretch at = wall_stretch(segment, state, radius, side);
+    least = std::min(least, at.least_in_wall() / at.across());
+  }
+  return least;
+}
+
+void check_folds(const LoadedSegment& loaded, CheckFindings& findings) {
+  const Segment& segment = *loaded.segment;
+  const Measure measure{"folds", "liner",
+                        "",      creasing,
+                        false,   [&](const State& state) { return crease_ratio(segment, state); }};
+  const auto beyond = excess(loaded, measure);
+  if (!beyond) return;
+  CheckFinding finding = finding_of(loaded, measure, *beyond);
+  finding.message = fmt::format(
+      "its shortened side folds into creases from {:.3g} kPa on: its stretch over that across the "
+      "wall is {:.3g} at {:.4g} kPa, and rubber creases below {:.3g}",
+      beyond->from_kpa, beyond->worst, beyond->worst_kpa, creasing);
+  finding.remedy = pressure_remedy(beyond->safe_kpa);
+  findings.push_back(std::move(finding));
+}
+
+}  // namespace
+
+void check_contact(const LoadedSegment& loaded, CheckFindings& findings) {
+  check_folds(loaded, findings);
+  if (loaded.segment->lattice) check_gaps(loaded, findings);
+}
+
+}  // namespace latticast

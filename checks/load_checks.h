@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What pressure will do to the part: where it balloons or buckles, tears, touches itself, or leaves
+// what its prediction is good for. Each check's formula and source: docs/checks.md, "Under load".
+#pragma once
+
+#include "checks/check_finding.h"
+#include "spec/design.h"
+
+namespace latticast {
+
+/// All checks under the design's load; none without one. A segment that cannot be predicted has one
+/// finding, not-predictable.
+CheckFindings load_checks(const Design& design);
+
+}  // namespace latticast

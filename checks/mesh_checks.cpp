@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checks/mesh_checks.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "checks/bed_check.h"
+#include "geometry/mesh/weld.h"
+#include "geometry/solid/audit.h"
+
+namespace latticast {
+namespace {
+
+struct DefectCode {
+  Defect defect;
+  std::string_view code;
+  std::string_view what;
+  std::string_view remedy;
+};
+
+constexpr std::array defect_codes = {
+    DefectCode{Defect::not_finite, "mesh-not-finite",
+               "vertices with a coordinate that is not a finite number",
+               "export the file again: numbers were lost"},
+    DefectCode{Defect::degenerate, "mesh-degenerate", "triangles without area",
+               "remove them, and join the vertices that they stood between"},
+    DefectCode{Defect::open_edge, "mesh-open-edge", "edges with one triangle only",
+               "close the holes: a slicer guesses what is inside"},
+    DefectCode{Defect::crowded_edge, "mesh-crowded-edge", "edges with more than two triangles",
+               "unite the bodies that meet there, or move them apart"},
+    DefectCode{Defect::inconsistent_edge, "mesh-inconsistent-edge",
+               "edges whose two triangles face opposite sides", "orient all faces outwards"},
+    DefectCode{Defect::pinched_vertex, "mesh-pinched-vertex",
+               "vertices in which the surface touches itself",
+               "move the surfaces apart, or join them by more than a point"},
+    DefectCode{Defect::self_intersection, "mesh-self-intersection", "triangles that cross others",
+               "unite the bodies before the export"},
+    DefectCode{Defect::inside_out, "mesh-inside-out", "bodies that face the wrong way",
+               "turn their faces around"},
+};
+
+std::string place_text(const Point& p) {
+  return fmt::format("x {:.3f}, y {:.3f}, z {:.3f} mm", p[0], p[1], p[2]);
+}
+
+void check_defects(const Audit& found, const std::string& name, CheckFindings& findings) {
+  for (const DefectCode& entry : defect_codes) {
+    const std::size_t count = found.count(entry.defect);
+    if (count == 0) continue;
+    CheckFinding finding = check_finding(entry.code);
+    finding.part = name;
+    finding.value = static_cast<double>(count);
+    finding.limit = 0;
+    finding.message = fmt::format("{}: {}", entry.what, count);
+    const auto first = std::find_if(found.findings.begin(), found.findings.end(),
+                                    [&](const Finding& f) { return f.defect == entry.defect; });
+    if (first != found.findings.end()) {
+      finding.message +=
+          fmt::format("; the first at {}, triangle {}", place_text(first->where), first->triangle);
+    }
+    finding.remedy = entry.remedy;
+    findings.push_back(std::move(finding));
+  }
+}
+
+struct Body {
+  double volume_mm3 = 0;
+  Point first{};
+};
+
+std::vector<Body> bodies_of(const TriangleMesh& mesh) {
+  std::vector<std::uint32_t> parent(mesh.vertices.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&](std::uint32_t v) {
+    while (parent[v] != v) v = parent[v] = parent[parent[v]];
+    return v;
+  };
+  for (const Triangle& t : mesh.triangles) {
+    parent[root(t[1])] = root(t[0]);
+    parent[root(t[2])] = root(t[0]);
+  }
+  std::vector<std::size_t> body(mesh.vertices.size(), SIZE_MAX);
+  std::vector<Body> bodies;
+  for (const Triangle& t : mesh.triangles) {
+    const Point& a = mesh.vertices[t[0]];
+    const Point& b = mesh.vertices[t[1]];
+    const Point& c = mesh.vertices[t[2]];
+    std::size_t& index = body[root(t[0])];
+    if (index == SIZE_MAX) {
+      index = bodies.size();
+      bodies.push_back({0, a});
+    }
+    bodies[index].volume_mm3 +=
+        (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+         a[2] * (b[0] * c[1] - b[1] * c[0])) /
+        6;
+  }
+  return bodies;
+}
+
+// In a sound mesh, only cavities face inwards.
+void check_voids(const TriangleMesh& mesh, const std::string& name, CheckFindings& findings) {
+  for (const Body& body : bodies_of(mesh)) {
+    if (body.volume_mm3 >= 0) continue;
+    CheckFinding finding = check_finding("enclosed-void");
+    finding.part = name;
+    finding.value = -body.volume_mm3;
+    finding.limit = 0;
+    finding.unit = "mm3";
+    finding.message = fmt::format(
+        "a cavity of {:.4g} mm3 has no way out, at {}: resin, powder or supports stay in it",
+        -body.volume_mm3, place_text(body.first));
+    finding.remedy = "open it to the outside, or fill it";
+    findings.push_back(std::move(finding));
+  }
+}
+
+void check_size(const Audit& found, const std::string& name, CheckFindings& findings) {
+  auto finding =
+      bed_finding(name,
+                  {found.highest[0] - found.lowest[0], found.highest[1] - found.lowest[1],
+                   found.highest[2] - found.lowest[2]},
+                  usual_bed_mm);
+  if (!finding) return;
+  finding->severity = Severity::warning;
+  finding->remedy =
+      "check that the file is in mm; divide the part, turn it or use a larger printer";
+  findings.push_back(std::move(*finding));
+}
+
+}  // namespace
+
+CheckFindings mesh_checks(const TriangleMesh& mesh, const std::string& name) {
+  const TriangleMesh welded = weld(mesh);
+  const Audit found = audit(welded);
+  CheckFindings findings;
+  check_defects(found, name, findings);
+  if (found.passes()) check_voids(welded, name, findings);
+  if (found.count(Defect::not_finite) == 0) check_size(found, name, findings);
+  return findings;
+}
+
+}  // namespace latticast

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checks/strain_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <variant>
+
+#include <fmt/core.h>
+
+#include "checks/strand_stations.h"
+#include "model/horseshoe_fibre.h"
+#include "model/horseshoe_strands.h"
+#include "model/inflated_wall.h"
+
+namespace latticast {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double largest_gent_use = 0.9;  // from here its stress grows more than tenfold
+constexpr double largest_lock_use = 0.95;
+
+double straight_strain(const Segment& segment, const Grid& grid, const State& state) {
+  const double angle = grid.angle_deg * pi / 180;
+  double largest = 0;
+  for (const StrandStation& station : strand_stations(segment, grid, state)) {
+    for (const double radius : {segment.liner_outer_radius_mm(), segment.outer_radius_mm()}) {
+      const WallStretch at = wall_stretch(segment, state, radius, station.theta_rad);
+      largest = std::max(largest, at.along(angle) - 1);
+    }
+  }
+  return largest;
+}
+
+double chord_strain(const Segment& segment, const Grid& grid, const State& state,
+                    const StrandStation& station) {
+  const double angle = grid.angle_deg * pi / 180;
+  return wall_stretch(segment, state, segment.lattice_mid_radius_mm(), station.theta_rad)
+             .along(angle) -
+         1;
+}
+
+double horseshoe_fibre_strain(const Segment& segment, const Grid& grid, const State& state) {
+  double largest = 0;
+  for (const StrandStation& station : strand_stations(segment, grid, state)) {
+    const HorseshoeShape shape = horseshoe_shape(segment, grid, station.width_mm);
+    const auto fibre = largest_fibre_strain(shape, chord_strain(segment, grid, state, station));
+    largest = std::max(largest, fibre.value_or(0));
+  }
+  return largest;
+}
+
+double ring_strain(const Segment& segment, const State& state) {
+  return std::max(wall_stretch(segment, state, segment.liner_outer_radius_mm(), 0).hoop,
+                  wall_stretch(segment, state, segment.outer_radius_mm(), 0).hoop) -
+         1;
+}
+
+/// The liner's largest principal stretch - 1; it lies at a face, on the lengthened side.
+double liner_strain(const Segment& segment, const State& state) {
+  const double side = lengthened_side_rad(state);
+  double largest = 0;
+  for (const double radius : {segment.inner_radius_mm(), segment.liner_outer_radius_mm()}) {
+    const WallStretch at = wall_stretch(segment, state, radius, side);
+    largest = std::max(largest, at.largest_principal() - 1);
+  }
+  return largest;
+}
+
+double gent_use(const Segment& segment, const Gent& law, const State& state) {
+  double largest = 0;
+  for (const double side : {lengthened_side_rad(state), lengthened_side_rad(state) + pi}) {
+    for (const double radius : {segment.inner_radius_mm(), segment.liner_outer_radius_mm()}) {
+      const WallStretch at = wall_stretch(segment, state, radius, side);
+      largest = std::max(largest, at.first_invariant_minus_3() / law.limit_jm);
+    }
+  }
+  return largest;
+}
+
+/// Adds a finding when a strain leaves its limit, and says whether it does.
+bool add_strain(const LoadedSegment& loaded, const Measure& measure, const std::string& limit_name,
+                CheckFindings& findings) {
+  const auto beyond = excess(loaded, measure);
+  if (!beyond) return false;
+  CheckFinding finding = finding_of(loaded, measure, *beyond);
+  finding.message = fmt::format(
+      "is strained by {:.3g} at {:.4g} kPa, beyond {} {:.3g}, which it reaches at {:.3g} kPa",
+      beyond->worst, beyond->worst_kpa, limit_name, measure.limit, beyond->from_kpa);
+  finding.remedy = pressure_remedy(beyond->safe_kpa);
+  findings.push_back(std::move(finding));
+  return true;
+}
+
+/// Both limits of a material for one strain. Where it tears, its law's range does not matter.
+void check_material(const LoadedSegment& loaded, const Material& material,
+                    std::array<std::string_view, 2> codes, const std::string& part,
+                    const std::function<double(const State&)>& strain, CheckFindings& findings) {
+  if (material.elongation_at_break) {
+    const Measure tears{codes[0], part, "", *material.elongation_at_break, true, strain};
+    if (add_strain(loaded, tears, "its elongation at break,", findings)) return;
+  }
+  if (material.max_strain) {
+    const Measure leaves{codes[1], part, "", *material.max_strain, true, strain};
+    add_strain(loaded, leaves, "the strain up to which its law was fitted,", findings);
+  }
+}
+
+void check_liner(const LoadedSegment& loaded, CheckFindings& findings) {
+  const Segment& segment = *loaded.segment;
+  const Material& material = segment.liner.material;
+  check_material(
+      loaded, material, {"liner-overstrained", "liner-law-exceeded"}, "liner",
+      [&](const State& state) { return liner_strain(segment, state); }, findings);
+  const auto* gent = std::get_if<Gent>(&material.law);
+  if (gent == nullptr) return;
+  const Measure use{"liner-law-exceeded",
+                    "liner",
+                    "of Jm",
+                    largest_gent_use,
+                    true,
+                    [&](const State& state) { return gent_use(segment, *gent, state); }};
+  const auto beyond = excess(loaded, use);
+  if (!beyond) return;
+  CheckFinding finding = finding_of(loaded, use, *beyond);
+  finding.message = fmt::format(
+      "uses {:.3g} of its law's stretch limit at {:.4g} kPa, where the stress grows without bound",
+      beyond->worst, beyond->worst_kpa);
+  finding.remedy = pressure_remedy(beyond->safe_kpa);
+  findings.push_back(std::move(finding));
+}
+
+void check_strands(const LoadedSegment& loaded, CheckFindings& findings) {
+  const Segment& segment = *loaded.segment;
+  const Material& material = segment.lattice->material;
+  constexpr std::array<std::string_view, 2> codes = {"strand-overstrained", "strand-law-exceeded"};
+  if (segment.lattice->rings) {
+    check_material(
+        loaded, material, codes, "rings",
+        [&](const State& state) { return ring_strain(segment, state); }, findings);
+  }
+  for (std::size_t i = 0; i < segment.lattice->grids.size(); ++i) {
+    const Grid& grid = segment.lattice->grids[i];
+    check_material(
+        loaded, material, codes, fmt::format("grid {}", i),
+        [&](const State& state) {
+          return grid.horseshoe ? horseshoe_fibre_strain(segment, grid, state)
+                                : straight_strain(segment, grid, state);
+        },
+        findings);
+  }
+}
+
+/// How much of its free way a grid has used: of the elongation 1/sin(alpha) - 1 at which
+/// inextensible strips lie along the tube, or at which horseshoes are straight.
+std::optional<Measure> lock_use(const Segment& segment, std::size_t index) {
+  const Grid& grid = segment.lattice->grids[index];
+  Measure measure{
+      "fibre-lock", fmt::format("grid {}", index), "of the way", largest_lock_use, true, {}};
+  if (grid.horseshoe) {
+    measure.value = [&segment, &grid](const State& state) {
+      double largest = 0;
+      for (const StrandStation& station : strand_stations(segment, grid, state)) {
+        const HorseshoeShape shape = horseshoe_shape(segment, grid, station.width_mm);
+        const double strain = chord_strain(segment, grid, state, station);
+        largest = std::max(largest, strain / full_extension(shape));
+      }
+      return largest;
+    };
+    return measure;
+  }
+  if (grid.angle_deg == 90) return std::nullopt;  // nothing to lock: never free
+  const double free_way = 1 / std::sin(grid.angle_deg * pi / 180) - 1;
+  measure.value = [free_way](const State& state) { return (state.stretch - 1) / free_way; };
+  return measure;
+}
+
+void check_locks(const LoadedSegment& loaded, CheckFindings& findings) {
+  for (std::size_t i = 0; i < loaded.segment->lattice->grids.size(); ++i) {
+    const auto measure = lock_use(*loaded.segment, i);
+    if (!measure) continue;
+    const auto beyond = excess(loaded, *measure);
+    if (!beyond) continue;
+    CheckFinding finding = finding_of(loaded, *measure, *beyond);
+    finding.message = fmt::format(
+        "its strands are nearly straight along the tube from {:.3g} kPa on ({:.3g} of their free "
+        "way at {:.4g} kPa): more pressure strains them and moves little",
+        beyond->from_kpa, beyond->worst, beyond->worst_kpa);
+    finding.remedy =
+        pressure_remedy(beyond->safe_kpa) + (loaded.segment->lattice->grids[i].horseshoe
+                                                 ? ", or arcs of a larger angle"
+                                                 : ", or strands nearer to the circumference");
+    findings.push_back(std::move(finding));
+  }
+}
+
+}  // namespace
+
+void check_strains(const LoadedSegment& loaded, CheckFindings& findings) {
+  check_liner(loaded, findings);
+  if (!loaded.segment->lattice) return;
+  check_strands(loaded, findings);
+  check_locks(loaded, findings);
+}
+
+}  // namespace latticast

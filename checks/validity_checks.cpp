@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checks/validity_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <type_traits>
+#include <variant>
+
+#include <fmt/core.h>
+
+namespace latticast {
+namespace {
+
+constexpr double least_angle_deg = 10;
+constexpr double largest_difference = 0.2;
+
+void check_angles(const LoadedSegment& loaded, CheckFindings& findings) {
+  if (!loaded.segment->lattice) return;
+  const auto& grids = loaded.segment->lattice->grids;
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    const double from_circumference = std::min(grids[i].angle_deg, 180 - grids[i].angle_deg);
+    if (!clearly_below(from_circumference, least_angle_deg)) continue;
+    CheckFinding finding = check_finding("angle-out-of-range");
+    finding.segment = loaded.number;
+    finding.part = fmt::format("grid {}", i);
+    finding.value = grids[i].angle_deg;
+    finding.limit = grids[i].angle_deg < 90 ? least_angle_deg : 180 - least_angle_deg;
+    finding.unit = "degrees";
+    finding.message = fmt::format(
+        "at {:.4g} degrees its strands are almost rings, and wind far around the tube between two "
+        "rings: the model, which takes that span as straight, is not valid",
+        grids[i].angle_deg);
+    finding.remedy = fmt::format("angle = {:.4g}, or rings", *finding.limit);
+    findings.push_back(std::move(finding));
+  }
+}
+
+// Every law is proportional to its moduli.
+Law scaled(Law law, double factor) {
+  std::visit(
+      [factor](auto& l) {
+        using L = std::decay_t<decltype(l)>;
+        if constexpr (std::is_same_v<L, Linear>) {
+          l.youngs_modulus_mpa *= factor;
+        } else if constexpr (std::is_same_v<L, Yeoh>) {
+          l.c1_mpa *= factor;
+          l.c2_mpa *= factor;
+          l.c3_mpa *= factor;
+        } else {
+          l.shear_modulus_mpa *= factor;
+        }
+      },
+      law);
+  return law;
+}
+
+/// One angle or stretch of a state that a user looks at.
+struct Quantity {
+  const char* name;
+  const char* unit;
+  double value;
+};
+
+std::array<Quantity, 3> quantities(const Segment& segment, const State& state) {
+  constexpr double degree = std::numbers::pi / 180;
+  return {Quantity{"elongation", "%", 100 * (state.stretch - 1)},
+          Quantity{"twist", "degrees", state.twist_rad_per_mm * segment.length_mm / degree},
+          Quantity{"bending", "degrees",
+                   state.bend_magnitude_rad_per_mm() * segment.length_mm / degree}};
+}
+
+struct Band {
+  std::string part;
+  double factor = 1;
+};
+
+void add_band(const LoadedSegment& loaded, const ModelChoice& model, const Band& band,
+              CheckFindings& findings) {
+  const State& stated = *loaded.states().back();
+  Segment other = *loaded.segment;
+  Law& law = band.part == "liner" ? other.liner.material.law : other.lattice->material.law;
+  law = scaled(law, band.factor);
+  const PreparedSegment prepared = prepare_segment(other, model, laws_of(loaded.prepared));
+  const Response response = predict(prepared, std::array{stated.pressure_kpa});
+  CheckFinding finding = check_finding("modulus-band");
+  finding.segment = loaded.number;
+  finding.part = band.part;
+  finding.pressure_kpa = stated.pressure_kpa;
+  finding.limit = largest_difference;
+  std::string change;
+  if (!response.states[0]) {
+    change = response.message;
+  } else {
+    const auto before = quantities(other, stated);
+    const auto after = quantities(other, *response.states[0]);
+    double largest = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      if (std::abs(before[i].value) < 0.1) continue;  // nothing that one would see
+      const double difference = std::abs(after[i].value / before[i].value - 1);
+      largest = std::max(largest, difference);
+      change += fmt::format("{}{} {:.3g} instead of {:.3g} {}", change.empty() ? "" : ", ",
+                            before[i].name, after[i].value, before[i].value, before[i].unit);
+    }
+    if (!clearly_above(largest, largest_difference)) return;
+    finding.value = largest;
+  }
+  finding.message =
+      fmt::format("its modulus may be {:.3g} times the stated one; at {:.4g} kPa that makes: {}",
+                  band.factor, stated.pressure_kpa, change);
+  finding.remedy = "measure the material that will be used, and give it inline";
+  findings.push_back(std::move(finding));
+}
+
+void check_bands(const LoadedSegment& loaded, const ModelChoice& model, CheckFindings& findings) {
+  const std::vector<const State*> states = loaded.states();
+  if (states.empty() || states.back()->pressure_kpa == 0) return;
+  const auto check = [&](const std::string& part, const std::optional<double>& factor) {
+    // A change that small can hardly move anything by a fifth.
+    if (factor && std::abs(*factor - 1) > 0.05) add_band(loaded, model, {part, *factor}, findings);
+  };
+  const Material& liner = loaded.segment->liner.material;
+  check("liner", liner.modulus_low_factor);
+  check("liner", liner.modulus_high_factor);
+  if (!loaded.segment->lattice) return;
+  const Material& lattice = loaded.segment->lattice->material;
+  check("lattice", lattice.modulus_low_factor);
+  check("lattice", lattice.modulus_high_factor);
+}
+
+}  // namespace
+
+void check_validity(const LoadedSegment& loaded, const ModelChoice& model,
+                    CheckFindings& findings) {
+  check_angles(loaded, findings);
+  check_bands(loaded, model, findings);
+}
+
+}  // namespace latticast

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the prediction itself is in doubt.
+#pragma once
+
+#include "checks/check_finding.h"
+#include "checks/loaded_segment.h"
+
+namespace latticast {
+
+/// Adds the findings angle-out-of-range, modulus-band.
+void check_validity(const LoadedSegment& loaded, const ModelChoice& model, CheckFindings& findings);
+
+}  // namespace latticast
