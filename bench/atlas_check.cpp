@@ -110,8 +110,9 @@ bool turns_there(const PlainPath& path, const ScaledState& x, double pressure,
     const auto before = path.curvature(behind, pressure, at.nearest);
     if (!after || !before || *after * *before >= 0) continue;
     if ((*after - *before) * at.push * pressure > 0) return false;
-    if (std::abs(at.nearest_value) < 0.3 * std::min(std::abs(*after), std::abs(*before)))
+    if (std::abs(at.nearest_value) < 0.3 * std::min(std::abs(*after), std::abs(*before))) {
       return true;
+    }
   }
   return false;
 }
@@ -220,8 +221,9 @@ Judgement judge_rods_state(const Rods& rods, Held held, const State& state) {
       rods.bending_stiffness_nmm2() * state.bend_rad_per_mm[1] / rods.arm_mm + force[0] - force[1];
   const double sum = axial + stiffness[0] + stiffness[1];
   const double worst = std::max(held.stretch ? 0 : std::abs(pull), held.bend ? 0 : std::abs(turn));
-  if (!(state.stretch > 0))
+  if (!(state.stretch > 0)) {
     return wrong("turned inside out", numbers("stretch %g", state.stretch, 0));
+  }
   if (worst > 1e-9 * (sum * std::max(1e-3, std::abs(e0) + std::abs(bend)) + std::abs(push))) {
     return wrong("unbalanced", numbers("%g N of %g", worst, push));
   }

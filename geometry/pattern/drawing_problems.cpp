@@ -15,7 +15,6 @@
 namespace latticast {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
 constexpr double closing_tolerance = 2e-3;  // relative change of the radius that goes unsaid
 constexpr double trial_flatness = 0.01;     // of the strand's width
 constexpr int most_more_arcs = 200;         // tried, to keep a strand in one piece
