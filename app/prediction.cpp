@@ -4,29 +4,9 @@
 #include <algorithm>
 #include <set>
 #include <stdexcept>
-#include <type_traits>
 
 namespace latticast {
 namespace {
-
-// Every law here is proportional to its moduli.
-Law scaled(Law law, double factor) {
-  std::visit(
-      [factor](auto& l) {
-        using L = std::decay_t<decltype(l)>;
-        if constexpr (std::is_same_v<L, Linear>) {
-          l.youngs_modulus_mpa *= factor;
-        } else if constexpr (std::is_same_v<L, Yeoh>) {
-          l.c1_mpa *= factor;
-          l.c2_mpa *= factor;
-          l.c3_mpa *= factor;
-        } else {
-          l.shear_modulus_mpa *= factor;
-        }
-      },
-      law);
-  return law;
-}
 
 std::optional<Response> predict_scaled(Segment segment, const Design& design,
                                        const std::vector<double>& pressures, Held held,

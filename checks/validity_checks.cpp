@@ -6,8 +6,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <type_traits>
-#include <variant>
 
 #include <fmt/core.h>
 
@@ -36,25 +34,6 @@ void check_angles(const LoadedSegment& loaded, CheckFindings& findings) {
     finding.remedy = fmt::format("angle = {:.4g}, or rings", *finding.limit);
     findings.push_back(std::move(finding));
   }
-}
-
-// Every law is proportional to its moduli.
-Law scaled(Law law, double factor) {
-  std::visit(
-      [factor](auto& l) {
-        using L = std::decay_t<decltype(l)>;
-        if constexpr (std::is_same_v<L, Linear>) {
-          l.youngs_modulus_mpa *= factor;
-        } else if constexpr (std::is_same_v<L, Yeoh>) {
-          l.c1_mpa *= factor;
-          l.c2_mpa *= factor;
-          l.c3_mpa *= factor;
-        } else {
-          l.shear_modulus_mpa *= factor;
-        }
-      },
-      law);
-  return law;
 }
 
 /// One angle or stretch of a state that a user looks at.

@@ -67,7 +67,8 @@ class ObjReader {
     const char* const end = word.data() + word.size();
     const auto parsed = std::from_chars(word.data(), end, number);
     if (parsed.ec != std::errc() || (parsed.ptr != end && *parsed.ptr != '/')) {
-      fail("\"" + std::string(word) + "\" is not a vertex number");
+      // Appended: g++ 12 warns about a sum that begins with a literal.
+      fail(std::string("\"").append(word).append("\" is not a vertex number"));
     }
     const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
     const std::int64_t index = number < 0 ? count + number : number - 1;

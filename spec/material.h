@@ -36,6 +36,10 @@ struct Gent {
 
 using Law = std::variant<Linear, NeoHookean, Yeoh, Gent>;
 
+/// The same law with all moduli times `factor`: every stress is multiplied by it, every law here
+/// being proportional to its moduli. Poisson's ratio and Gent's limit stay.
+Law scaled(Law law, double factor);
+
 /// A named or inline material. Fields that a source does not give are empty, never guessed.
 struct Material {
   std::string name;  ///< library name, or "inline"
