@@ -11,7 +11,7 @@
 #include "export/assimp_file.h"
 #include "export/atomic_file.h"
 #include "export/obj_file.h"
-#include "export/ply_header.h"
+#include "export/ply_file.h"
 #include "export/stl_file.h"
 #include "spec/file_error.h"
 
@@ -58,13 +58,24 @@ TriangleMesh decode(const std::filesystem::path& file, std::string_view bytes) {
     return decode_obj(file, bytes);
   }
   if (extension == ".ply") {
-    check_ply_counts(file, bytes);
+    return decode_ply(file, bytes);
   }
-  if (extension == ".ply" || extension == ".3mf" || extension == ".glb") {
+  if (extension == ".3mf" || extension == ".glb") {
     return decode_with_assimp(file, bytes, extension);
   }
   throw FileError(
       file, "is not known as a mesh file: it needs the extension .stl, .obj, .ply, .3mf or .glb");
+}
+
+std::string encode(const TriangleMesh& mesh, MeshFormat format) {
+  switch (format) {
+    case MeshFormat::stl:
+      return encode_stl(mesh);
+    case MeshFormat::obj:
+      return encode_obj(mesh);
+    default:
+      return encode_ply(mesh);
+  }
 }
 
 void require_valid(const TriangleMesh& mesh) {
@@ -85,7 +96,7 @@ void require_valid(const TriangleMesh& mesh) {
 
 UnsupportedFormat::UnsupportedFormat(MeshFormat unsupported)
     : std::runtime_error("writing " + std::string(extension(unsupported)) +
-                         " files is not supported yet; .stl and .obj are"),
+                         " files is not supported yet; .stl, .obj and .ply are"),
       format(unsupported) {}
 
 std::string_view extension(MeshFormat format) {
@@ -105,7 +116,7 @@ std::string_view extension(MeshFormat format) {
 }
 
 bool can_write(MeshFormat format) {
-  return format == MeshFormat::stl || format == MeshFormat::obj;
+  return format == MeshFormat::stl || format == MeshFormat::obj || format == MeshFormat::ply;
 }
 
 void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, MeshFormat format) {
@@ -113,7 +124,16 @@ void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, Mes
     throw UnsupportedFormat(format);
   }
   require_valid(mesh);
-  write_file_atomically(file, format == MeshFormat::stl ? encode_stl(mesh) : encode_obj(mesh));
+  write_file_atomically(file, encode(mesh, format));
+}
+
+void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh,
+               std::span<const Colour> colours) {
+  require_valid(mesh);
+  if (colours.size() != mesh.vertices.size()) {
+    throw std::invalid_argument("not one colour for each vertex of a mesh");
+  }
+  write_file_atomically(file, encode_ply(mesh, colours));
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& file) {
