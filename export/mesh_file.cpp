@@ -5,14 +5,15 @@
 #include <array>
 #include <cctype>
 #include <fstream>
-#include <limits>
 #include <system_error>
 
-#include "export/assimp_file.h"
 #include "export/atomic_file.h"
+#include "export/glb_file.h"
+#include "export/mesh_checks.h"
 #include "export/obj_file.h"
 #include "export/ply_file.h"
 #include "export/stl_file.h"
+#include "export/three_mf_file.h"
 #include "spec/file_error.h"
 
 namespace latticast {
@@ -60,44 +61,33 @@ TriangleMesh decode(const std::filesystem::path& file, std::string_view bytes) {
   if (extension == ".ply") {
     return decode_ply(file, bytes);
   }
-  if (extension == ".3mf" || extension == ".glb") {
-    return decode_with_assimp(file, bytes, extension);
+  if (extension == ".glb") {
+    return decode_glb(file, bytes);
+  }
+  if (extension == ".3mf") {
+    return decode_three_mf(file, bytes);
   }
   throw FileError(
       file, "is not known as a mesh file: it needs the extension .stl, .obj, .ply, .3mf or .glb");
 }
 
-std::string encode(const TriangleMesh& mesh, MeshFormat format) {
+std::string encode(const TriangleMesh& mesh, MeshFormat format, const std::string& name) {
   switch (format) {
     case MeshFormat::stl:
       return encode_stl(mesh);
     case MeshFormat::obj:
       return encode_obj(mesh);
-    default:
+    case MeshFormat::ply:
       return encode_ply(mesh);
+    case MeshFormat::three_mf:
+      return encode_three_mf(std::array{NamedMesh{name, mesh}});
+    case MeshFormat::glb:
+      return encode_glb({{{name, mesh}}});
   }
-}
-
-void require_valid(const TriangleMesh& mesh) {
-  if (mesh.triangles.empty()) {
-    throw std::invalid_argument("a mesh without triangles");
-  }
-  if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
-    throw std::invalid_argument("a mesh of more triangles than a mesh file can hold");
-  }
-  for (const Triangle& triangle : mesh.triangles) {
-    if (*std::max_element(triangle.begin(), triangle.end()) >= mesh.vertices.size()) {
-      throw std::invalid_argument("a mesh whose triangle names a vertex that it does not have");
-    }
-  }
+  throw std::invalid_argument("no mesh format");
 }
 
 }  // namespace
-
-UnsupportedFormat::UnsupportedFormat(MeshFormat unsupported)
-    : std::runtime_error("writing " + std::string(extension(unsupported)) +
-                         " files is not supported yet; .stl, .obj and .ply are"),
-      format(unsupported) {}
 
 std::string_view extension(MeshFormat format) {
   switch (format) {
@@ -115,25 +105,9 @@ std::string_view extension(MeshFormat format) {
   throw std::invalid_argument("no mesh format");
 }
 
-bool can_write(MeshFormat format) {
-  return format == MeshFormat::stl || format == MeshFormat::obj || format == MeshFormat::ply;
-}
-
 void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, MeshFormat format) {
-  if (!can_write(format)) {
-    throw UnsupportedFormat(format);
-  }
   require_valid(mesh);
-  write_file_atomically(file, encode(mesh, format));
-}
-
-void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh,
-               std::span<const Colour> colours) {
-  require_valid(mesh);
-  if (colours.size() != mesh.vertices.size()) {
-    throw std::invalid_argument("not one colour for each vertex of a mesh");
-  }
-  write_file_atomically(file, encode_ply(mesh, colours));
+  write_file_atomically(file, encode(mesh, format, file.stem().string()));
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& file) {

@@ -9,11 +9,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
+#include "export/atomic_file.h"
 #include "export/line_reader.h"
 #include "export/little_endian.h"
+#include "export/mesh_checks.h"
 #include "export/ply_header.h"
 #include "spec/file_error.h"
 
@@ -282,6 +285,15 @@ std::string encode_ply(const TriangleMesh& mesh, std::span<const Colour> colours
     }
   }
   return bytes;
+}
+
+void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh,
+               std::span<const Colour> colours) {
+  require_valid(mesh);
+  if (colours.size() != mesh.vertices.size()) {
+    throw std::invalid_argument("not one colour for each vertex of a mesh");
+  }
+  write_file_atomically(file, encode_ply(mesh, colours));
 }
 
 TriangleMesh decode_ply(const std::filesystem::path& file, std::string_view bytes) {

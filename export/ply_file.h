@@ -18,6 +18,12 @@ namespace latticast {
 /// each vertex.
 std::string encode_ply(const TriangleMesh& mesh, std::span<const Colour> colours = {});
 
+/// Writes encode_ply(mesh, colours); the file appears whole or not at all. Programs shade the
+/// triangles between the colours of their corners. Throws FileError, and std::invalid_argument for
+/// what write_mesh throws it for and another number of colours than vertices.
+void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh,
+               std::span<const Colour> colours);
+
 /// The vertices (x, y, z of "vertex") and faces (the list vertex_indices or vertex_index of "face")
 /// of PLY, text or binary in either byte order, vertices shared as the file shares them. Faces of
 /// more than three corners become fans from their first corner; other properties and elements are

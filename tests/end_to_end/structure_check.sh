@@ -39,9 +39,11 @@ owners='
 ^polyclipping/       geometry/solid
 ^(gmp|gmpxx|mpfr)\.h geometry/solid molds
 ^(sundials|kinsol|cvodes|nvector|sunmatrix|sunlinsol|sunnonlinsol)/ model
-^assimp/             export
+^assimp/             tests
 ^png\.h              export
-^(CLI|nlohmann)/     app
+^(tiny_gltf|zip|expat)\.h export
+^CLI/                app
+^nlohmann/           export app
 ^(unistd|fcntl|signal|poll)\.h export app
 ^sys/                export app
 '
