@@ -5,7 +5,6 @@
 #include <exception>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "export/glb_file.h"
@@ -184,8 +183,8 @@ class SceneReader {
 
   static void add_nodes(const std::vector<int>& nodes, const Placement& parent,
                         std::vector<std::pair<int, Placement>>& waiting) {
-    for (const int node : nodes | std::views::reverse) {
-      waiting.emplace_back(node, parent);
+    for (std::size_t i = nodes.size(); i-- > 0;) {
+      waiting.emplace_back(nodes[i], parent);
     }
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Feeds bytes to the readers of STL, OBJ and PLY; the first byte chooses which. What they accept
-// must be a mesh that can be welded, and written and read again without a change.
+// Feeds bytes to the readers of STL, OBJ, PLY and GLB; the first byte chooses which. What they
+// accept must be a mesh that can be welded, and written and read again without a change.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -51,7 +51,7 @@ void require_valid(const TriangleMesh& mesh) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
-  constexpr std::array names{"fuzzed.stl", "fuzzed.obj", "fuzzed.ply", "fuzzed.obj"};
+  constexpr std::array names{"fuzzed.stl", "fuzzed.obj", "fuzzed.ply", "fuzzed.glb"};
   TriangleMesh mesh;
   try {
     mesh = read_mesh_bytes(names[data[0] % names.size()], bytes);

@@ -9,13 +9,6 @@
 #include "tests/unit/export/example_meshes.h"
 #include "tests/unit/export/test_folder.h"
 
-/// assimp does not free all that it took when it refuses a file. (The leak checker asks for this
-/// name.)
-// NOLINTNEXTLINE(bugprone-reserved-identifier, readability-identifier-naming)
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libassimp";
-}
-
 namespace latticast {
 namespace {
 
