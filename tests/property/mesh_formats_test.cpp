@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The example designs' meshes through every file format: what is read is what was written.
+#include <gtest/gtest.h>
+
+#include "app/mold_set.h"
+#include "export/glb_file.h"
+#include "export/mesh_file.h"
+#include "geometry/mesh/weld.h"
+#include "geometry/solid/tube_solids.h"
+#include "molds/print_size.h"
+#include "spec/material_library.h"
+#include "spec/read_design.h"
+#include "tests/unit/export/compare_meshes.h"
+#include "tests/unit/export/test_folder.h"
+
+namespace latticast {
+namespace {
+
+Design example(const std::string& name) {
+  const ReadResult read = read_design_file(
+      std::filesystem::path(LATTICAST_SOURCE_DIR) / "examples" / name, built_in_materials());
+  EXPECT_TRUE(read.ok());
+  return read.design;
+}
+
+void expect_kept(const std::string& what, const TriangleMesh& mesh) {
+  SCOPED_TRACE(what);
+  const TestFolder folder;
+  for (const MeshFormat format :
+       {MeshFormat::stl, MeshFormat::obj, MeshFormat::ply, MeshFormat::three_mf, MeshFormat::glb}) {
+    SCOPED_TRACE(extension(format));
+    const auto file = folder / ("part" + std::string(extension(format)));
+    write_mesh(file, mesh, format);
+    const TriangleMesh read = read_mesh(file);
+    expect_same_corners(read, mesh);
+    if (format == MeshFormat::stl) {
+      // Its triangles share no vertices; welding finds the shared ones again.
+      EXPECT_EQ(weld(read).vertices.size(), weld(mesh).vertices.size());
+    } else {
+      expect_same_mesh(read, mesh);
+    }
+  }
+}
+
+TEST(MeshFormats, KeepTheLatticesOfExamples) {
+  for (const std::string name : {"twisting/twisting.toml", "twisting/two_families.toml",
+                                 "bending/bending.toml", "superimposed/superimposed.toml"}) {
+    const Design design = example(name);
+    expect_kept(name, lattice_solid(design.segments.front(), {design.output.tolerance_mm}).mesh);
+    expect_kept(name, liner_solid(design.segments.front(), {design.output.tolerance_mm}).mesh);
+  }
+}
+
+TEST(MeshFormats, KeepThePiecesOfAMold) {
+  const Design design = example("molds/twisting_molds.toml");
+  for (const PlannedMold& planned : make_molds(design, plan_build(design, {}))) {
+    for (const MoldPiece& piece : planned.mold.pieces) {
+      expect_kept(planned.kind + " " + piece.name, printing_pose(piece));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace latticast
