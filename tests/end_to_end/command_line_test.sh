@@ -106,9 +106,10 @@ sed 's/liner = true/report = true/' "$design" >report.toml
 expect 2 "$program" build report.toml -o bad
 err_says "cannot make yet"
 expect 0 "$program" build report.toml -o without_report --only lattice
-sed 's/"stl", "obj"/"glb"/' "$design" >glb.toml
-expect 2 "$program" build glb.toml -o bad
-err_says "glb"
+sed 's/"stl", "obj"/"ply", "3mf", "glb"/' "$design" >formats.toml
+expect 0 "$program" build formats.toml -o formats --only lattice
+holds test "$(ls formats | tr '\n' ' ')" = "twisting-36-lattice.3mf twisting-36-lattice.glb twisting-36-lattice.ply "
+expect 0 "$program" audit formats/*
 sed 's/pressures = \[10\]/pressures = [10, [5, 10], 10]/' chain.toml >apart.toml
 expect 0 "$program" build apart.toml -o apart --only preview
 says "twisting-36-segment-2-preview-5_10kPa-liner.stl: closed, 1 piece"

@@ -11,8 +11,15 @@ trap 'rm -rf "$work"' EXIT
 . "$source_tree/tests/end_to_end/expect.sh"
 cd "$work" || exit 1
 
+# What prusa-slicer says of a mesh's size, line by line.
+size_of() {
+  prusa-slicer --info "$1" 2>"$work/err" | grep -E '^size_[xyz] = '
+}
+
 for example in twisting two_families; do
-  expect 0 "$program" build "$source_tree/examples/twisting/$example.toml" -o "$example" --only lattice
+  sed 's/"stl", "obj"/"stl", "obj", "3mf"/' "$source_tree/examples/twisting/$example.toml" >"$example.toml"
+  expect 0 "$program" build "$example.toml" -o "$example" --only lattice
+  holds test "$(find "$example" -type f | wc -l)" -eq 3
   for mesh in "$example"/*.stl; do
     expect 0 admesh "$mesh"
     # "Total disconnected facets : 0 0", one part, and no fix of any kind.
@@ -27,6 +34,9 @@ for example in twisting two_families; do
     expect 0 prusa-slicer --info "$mesh"
     says "manifold = yes"
     says "number_of_parts =  1"
+    # Every format gives the same size in mm; the actuator is 85 mm long.
+    says "size_z = 85.000000"
+    holds test "$(size_of "$mesh")" = "$(size_of "$(echo "$example"/*.stl)")"
   done
 done
 
