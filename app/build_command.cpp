@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "app/audit_output.h"
+#include "app/build_checks.h"
 #include "app/design_input.h"
 #include "app/file_error.h"
 #include "app/interrupt.h"
@@ -233,8 +234,10 @@ ExitStatus run_build(const BuildArguments& arguments, const Console& console) {
     console.note("nothing to make: name what you want under [make], for example lattice = true");
     return ExitStatus::done;
   }
+  watch_for_interrupt();
+  const CheckFindings findings = checks_before_build(*design, plan);
+  if (!may_build(findings, arguments.force, console)) return ExitStatus::check_failed;
   try {
-    watch_for_interrupt();
     console.data(Builder(*design, plan, arguments, console).run());
   } catch (const AuditFailed& fault) {
     console.error(fault.what());

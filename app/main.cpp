@@ -44,6 +44,7 @@ struct CommandLine {
   std::string folder = ".";
   std::vector<std::string> only;
   bool dry_run = false;
+  bool force = false;
   std::string pressure;
   std::string format = "table";
   std::vector<std::string> hold;
@@ -65,6 +66,7 @@ void describe_build(CLI::App& app, CommandLine& typed) {
   build->add_option("-o,--output", typed.folder, "folder for the files; made if missing");
   build->add_option("--only", typed.only, "parts to make: lattice, liner, preview, molds, report")
       ->delimiter(',');
+  build->add_flag("--force", typed.force, "build although the checks find errors");
   build->add_flag("--dry-run", typed.dry_run, "print what would run, and why the rest would not");
 }
 
@@ -135,8 +137,9 @@ ExitStatus run_command(const CLI::App& app, const CommandLine& typed, const Cons
   if (app.got_subcommand("audit")) {
     return run_audit({typed.mesh_files.begin(), typed.mesh_files.end()}, console);
   }
-  return run_build({typed.design, materials_path(typed), typed.folder, typed.only, typed.dry_run},
-                   console);
+  return run_build(
+      {typed.design, materials_path(typed), typed.folder, typed.only, typed.dry_run, typed.force},
+      console);
 #else
   return left_out(console, app.got_subcommand("audit") ? "audit" : "build", "LATTICAST_GEOMETRY",
                   "CGAL, assimp and libpng");

@@ -48,6 +48,7 @@ Outcome build(const std::filesystem::path& design, const std::filesystem::path& 
   BuildArguments arguments;
   arguments.design = design;
   arguments.folder = folder;
+  arguments.force = true;  // whether a printer can make it is not asked here
   testing::internal::CaptureStderr();
   Outcome outcome;
   try {
