@@ -18,6 +18,7 @@ struct BuildArguments {
   std::vector<std::string> only;
   bool dry_run = false;
   bool force = false;  ///< build in spite of what the checks find
+  bool times = false;  ///< write the time of every stage into the report's JSON
 };
 
 /// latticast build: everything that the design's [make] names, each file audited as written, after

@@ -113,9 +113,11 @@ PlannedStage plan_part(const Design& design, Stage stage, const std::vector<Stag
   return {stage, true, fmt::format("[make] names {}", part->key)};
 }
 
-// The stages of the prediction follow from the preview alone: nothing else needs a deformed shape.
+// The stages of the prediction follow from what shows the design under pressure.
 void plan_prediction(const Design& design, Plan& plan) {
-  const bool needed = plan.runs(Stage::preview);
+  const bool shown = plan.runs(Stage::preview);
+  const bool reported = plan.runs(Stage::report) && !design.load.empty();
+  const bool needed = shown || reported;
   const auto add = [&](Stage stage, bool wanted, std::string_view why, std::string_view why_not) {
     const bool runs = needed && wanted;
     plan.stages.push_back({stage, runs,
@@ -123,7 +125,10 @@ void plan_prediction(const Design& design, Plan& plan) {
                                        : needed ? why_not
                                                 : "nothing that is made needs a deformed shape")});
   };
-  add(Stage::prediction, true, "the preview shows the shape under pressure", "");
+  add(Stage::prediction, true,
+      shown ? "the preview shows the shape under pressure"
+            : "the report shows the response to pressure",
+      "");
   add(Stage::horseshoe_law, has_horseshoe(design), "a strand is a horseshoe",
       "no strand is a horseshoe");
   add(Stage::bending, has_uneven_widths(design), "a family of strands is uneven around the tube",
@@ -174,13 +179,8 @@ Plan plan_build(const Design& design, const std::vector<std::string>& only) {
   return plan;
 }
 
-std::vector<std::string> unavailable(const Plan& plan, const Design& design) {
+std::vector<std::string> unavailable([[maybe_unused]] const Plan& plan, const Design& design) {
   std::vector<std::string> missing;
-  if (plan.runs(Stage::report)) {
-    missing.emplace_back(
-        "[make] asks for the report, which this version cannot make yet: take it out of [make], or "
-        "name the other parts with --only");
-  }
 #if !LATTICAST_HAS_MOLDS
   if (plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold)) {
     missing.emplace_back(
@@ -196,10 +196,10 @@ std::vector<std::string> unavailable(const Plan& plan, const Design& design) {
     break;
   }
 #if !LATTICAST_HAS_PREDICT
-  if (plan.runs(Stage::prediction)) {
+  if (plan.runs(Stage::preview) || plan.runs(Stage::report)) {
     missing.emplace_back(
-        "this program was built without the prediction that a preview needs: build it "
-        "with -DLATTICAST_PREDICT=ON, or leave the preview out with --only");
+        "this program was built without the prediction that a preview or report needs: build it "
+        "with -DLATTICAST_PREDICT=ON, or leave them out with --only");
   }
 #endif
   return missing;

@@ -5,17 +5,11 @@
 #include <array>
 #include <vector>
 
+#include "export/colour.h"
 #include "export/png_file.h"
 #include "geometry/mesh/triangle_mesh.h"
 
 namespace latticast {
-
-/// sRGB, each from 0 to 1.
-struct Colour {
-  double red = 0;
-  double green = 0;
-  double blue = 0;
-};
 
 /// A mesh as it is to be shown. Both sides of its triangles are drawn.
 struct PictureObject {

@@ -24,6 +24,7 @@ model             spec geometry/mesh geometry/pattern
 molds             spec geometry/mesh geometry/pattern geometry/solid
 export            spec geometry/mesh
 checks            spec geometry/mesh geometry/pattern geometry/solid model molds
+report            spec geometry/mesh geometry/solid model export checks
 app               *
 bench             *
 tests             *
@@ -33,7 +34,7 @@ tests             *
 # bench and tests may include any.
 owners='
 ^toml\+\+/           spec
-^fmt/                spec geometry/mesh geometry/pattern geometry/solid model molds export checks app
+^fmt/                spec geometry/mesh geometry/pattern geometry/solid model molds export checks report app
 ^Eigen/              geometry/mesh geometry/pattern geometry/solid model
 ^(CGAL|boost)/       geometry/solid molds
 ^polyclipping/       geometry/solid
@@ -41,7 +42,8 @@ owners='
 ^(sundials|kinsol|cvodes|nvector|sunmatrix|sunlinsol|sunnonlinsol)/ model
 ^assimp/             export
 ^png\.h              export
-^(CLI|nlohmann)/     app
+^CLI/                app
+^nlohmann/           report app
 ^(unistd|fcntl|signal|poll)\.h export app
 ^sys/                export app
 '

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "app/build_command.h"
-#include "app/preview.h"
+#include "report/preview.h"
 #include "export/mesh_file.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/audit.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/preview.h"
+#include "report/preview.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,6 @@
 
 namespace latticast {
 namespace {
-
-constexpr Colour lattice_colour{0.16, 0.36, 0.62};
-constexpr Colour liner_colour{0.93, 0.86, 0.76};
 
 // More pressures than this in a file's name help nobody.
 constexpr std::size_t most_named_pressures = 6;
@@ -182,7 +179,7 @@ Image preview_picture(const std::vector<PicturePart>& parts,
   for (const PicturePart& part : parts) {
     const double along = places[part.place];
     objects.push_back({part.mesh,
-                       part.is_liner ? liner_colour : lattice_colour,
+                       part.is_liner ? preview_liner_colour : preview_lattice_colour,
                        {along * std::cos(plane), along * std::sin(plane), 0},
                        1});
   }

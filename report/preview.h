@@ -13,6 +13,9 @@
 
 namespace latticast {
 
+inline constexpr Colour preview_lattice_colour{0.16, 0.36, 0.62};
+inline constexpr Colour preview_liner_colour{0.93, 0.86, 0.76};
+
 /// A preview asks for a pressure at which there is no equilibrium; what() names it and the limit
 /// point.
 struct NoEquilibrium : std::runtime_error {
