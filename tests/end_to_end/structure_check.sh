@@ -24,7 +24,7 @@ model             spec geometry/mesh geometry/pattern
 molds             spec geometry/mesh geometry/pattern geometry/solid
 export            spec geometry/mesh
 checks            spec geometry/mesh geometry/pattern geometry/solid model molds
-report            spec geometry/mesh geometry/solid model export checks
+report            spec geometry/mesh geometry/pattern geometry/solid model molds export checks
 app               *
 bench             *
 tests             *
@@ -153,7 +153,7 @@ machine_path_violations() {
 # All headers share one namespace: two types of one name would share their constructors, too, and the
 # linker keeps only one of each.
 repeated_type_violations() {
-  { grep -E '^(spec|geometry|model|molds|export|checks|app|bench)/.*\.h$' || true; } |
+  { grep -E '^(spec|geometry|model|molds|export|checks|report|app|bench)/.*\.h$' || true; } |
     { xargs -d '\n' -r grep -HnE '^(struct|class|enum class|union) +[A-Za-z0-9_]+( |:|[{]|$)' || true; } |
     awk -F: '
       {
