@@ -151,6 +151,7 @@ class Builder {
     const std::string file = design_.name + "-preview.png";
     write_png(staging_.add(file), preview_picture(picture, shapes));
     summary_ += fmt::format("{}: {} shapes side by side\n", file, shapes.size());
+    note_time("preview, picture");
   }
 
   void preview_part(std::size_t s, bool is_liner, const Solid& rest,

@@ -2,16 +2,16 @@
 #include "export/mesh_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <fstream>
-#include <limits>
 #include <system_error>
 
 #include "export/assimp_file.h"
 #include "export/atomic_file.h"
+#include "export/glb_file.h"
+#include "export/mesh_checks.h"
 #include "export/obj_file.h"
-#include "export/ply_header.h"
+#include "export/ply_file.h"
 #include "export/stl_file.h"
 #include "spec/file_error.h"
 
@@ -58,26 +58,26 @@ TriangleMesh decode(const std::filesystem::path& file, std::string_view bytes) {
     return decode_obj(file, bytes);
   }
   if (extension == ".ply") {
-    check_ply_counts(file, bytes);
+    return decode_ply(file, bytes);
   }
-  if (extension == ".ply" || extension == ".3mf" || extension == ".glb") {
+  if (extension == ".glb") {
+    return decode_glb(file, bytes);
+  }
+  if (extension == ".3mf") {
     return decode_with_assimp(file, bytes, extension);
   }
   throw FileError(
       file, "is not known as a mesh file: it needs the extension .stl, .obj, .ply, .3mf or .glb");
 }
 
-void require_valid(const TriangleMesh& mesh) {
-  if (mesh.triangles.empty()) {
-    throw std::invalid_argument("a mesh without triangles");
-  }
-  if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max()) {
-    throw std::invalid_argument("a mesh of more triangles than a mesh file can hold");
-  }
-  for (const Triangle& triangle : mesh.triangles) {
-    if (*std::max_element(triangle.begin(), triangle.end()) >= mesh.vertices.size()) {
-      throw std::invalid_argument("a mesh whose triangle names a vertex that it does not have");
-    }
+std::string encode(const TriangleMesh& mesh, MeshFormat format) {
+  switch (format) {
+    case MeshFormat::stl:
+      return encode_stl(mesh);
+    case MeshFormat::obj:
+      return encode_obj(mesh);
+    default:
+      return encode_ply(mesh);
   }
 }
 
@@ -85,7 +85,7 @@ void require_valid(const TriangleMesh& mesh) {
 
 UnsupportedFormat::UnsupportedFormat(MeshFormat unsupported)
     : std::runtime_error("writing " + std::string(extension(unsupported)) +
-                         " files is not supported yet; .stl and .obj are"),
+                         " files is not supported yet; .stl, .obj and .ply are"),
       format(unsupported) {}
 
 std::string_view extension(MeshFormat format) {
@@ -105,7 +105,7 @@ std::string_view extension(MeshFormat format) {
 }
 
 bool can_write(MeshFormat format) {
-  return format == MeshFormat::stl || format == MeshFormat::obj;
+  return format == MeshFormat::stl || format == MeshFormat::obj || format == MeshFormat::ply;
 }
 
 void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, MeshFormat format) {
@@ -113,7 +113,7 @@ void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, Mes
     throw UnsupportedFormat(format);
   }
   require_valid(mesh);
-  write_file_atomically(file, format == MeshFormat::stl ? encode_stl(mesh) : encode_obj(mesh));
+  write_file_atomically(file, encode(mesh, format));
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& file) {

@@ -22,7 +22,7 @@ struct UnsupportedFormat : std::runtime_error {
 /// The format's file extension with its dot, as in ".stl".
 std::string_view extension(MeshFormat format);
 
-/// Whether write_mesh can write the format: stl and obj can be written so far.
+/// Whether write_mesh can write the format: stl, obj and ply can be written so far.
 bool can_write(MeshFormat format);
 
 /// Writes a mesh, coordinates rounded to float32, triangles in order. The bytes depend on the mesh
@@ -31,7 +31,7 @@ bool can_write(MeshFormat format);
 ///
 /// STL is binary, with unit facet normals (zero for a facet without area). OBJ shares vertices as
 /// `mesh` does, gives each coordinate the fewest digits that identify the float32, and has neither
-/// materials nor a second file.
+/// materials nor a second file. PLY is binary, little-endian, and shares vertices likewise.
 ///
 /// Throws UnsupportedFormat, FileError, and std::invalid_argument for a mesh without triangles or
 /// with an index past its vertices.
@@ -41,13 +41,13 @@ void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, Mes
 /// extension; larger polygons become triangles. Nothing is joined, reordered or dropped, collapsed
 /// triangles and coordinates that are not finite included; several meshes in a file follow one
 /// another, placed as the file's nodes say. STL gives every triangle three vertices of its own
-/// (weld() shares them again). Coordinates are float32 values, for STL and OBJ exactly those
-/// nearest to what the file says.
+/// (weld() shares them again). Coordinates are float32 values, for STL, OBJ and PLY exactly
+/// those nearest to what the file says.
 ///
 /// Throws FileError for a file that cannot be opened, is empty, contradicts itself or holds no
-/// triangle, and for STL that is cut short. For STL and OBJ memory is asked for in proportion to
-/// the file's size, never to a count that it claims. The others are read by assimp, whose readers
-/// are less careful with damaged files.
+/// triangle, and for STL and PLY that is cut short or too long. For STL, OBJ and PLY memory is
+/// asked for in proportion to the file's size, never to a count that it claims. The others are read
+/// by assimp, whose readers are less careful with damaged files.
 TriangleMesh read_mesh(const std::filesystem::path& file);
 
 /// The same from the bytes of a file; `file` gives the extension and the name in errors, and is not

@@ -102,10 +102,6 @@ err_says "the lattice cannot be drawn"
 err_says "segment[0].lattice.grid[0]"
 err_says "radius"
 holds test ! -e bad
-sed 's/liner = true/report = true/' "$design" >report.toml
-expect 2 "$program" build report.toml -o bad
-err_says "cannot make yet"
-expect 0 "$program" build report.toml -o without_report --only lattice
 sed 's/"stl", "obj"/"glb"/' "$design" >glb.toml
 expect 2 "$program" build glb.toml -o bad
 err_says "glb"

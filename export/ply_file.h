@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PLY: a text header that names elements and their properties, then their values in that order.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "export/colour.h"
+#include "geometry/mesh/triangle_mesh.h"
+
+namespace latticast {
+
+/// The mesh as little-endian binary PLY: "vertex" with float x, y, z and, when `colours` are given,
+/// uchar red, green, blue (0 to 255, rounded; beyond that range cut off, NaN is 0); "face" with
+/// "list uchar int vertex_indices". Preconditions: valid indices below 2^31; no colours, or one for
+/// each vertex.
+std::string encode_ply(const TriangleMesh& mesh, std::span<const Colour> colours = {});
+
+/// Writes encode_ply(mesh, colours); the file appears whole or not at all. Programs shade the
+/// triangles between the colours of their corners. Throws FileError, and std::invalid_argument for
+/// what write_mesh throws it for and another number of colours than vertices.
+void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh,
+               std::span<const Colour> colours);
+
+/// The vertices (x, y, z of "vertex") and faces (the list vertex_indices or vertex_index of "face")
+/// of PLY, text or binary in either byte order, vertices shared as the file shares them. Faces of
+/// more than three corners become fans from their first corner; other properties and elements are
+/// checked and passed over. Memory grows with the bytes, never with a count that they claim.
+///
+/// Throws FileError naming `file` when the header has an unknown or misplaced line, when a value
+/// does not have its property's type, a list is shorter than nothing, a face has fewer than three
+/// corners or names a missing vertex, and when bytes are missing or left over.
+TriangleMesh decode_ply(const std::filesystem::path& file, std::string_view bytes);
+
+}  // namespace latticast
