@@ -10,6 +10,7 @@
 #include "app/audit_output.h"
 #include "app/design_input.h"
 #include "app/file_error.h"
+#include "app/flat_pattern.h"
 #include "app/interrupt.h"
 #include "app/plan.h"
 #include "app/staging_folder.h"
@@ -71,7 +72,8 @@ class Builder {
 
  private:
   void count_steps() {
-    const std::size_t parts = plan_.runs(Stage::lattice) + plan_.runs(Stage::liner);
+    const std::size_t parts =
+        plan_.runs(Stage::lattice) + plan_.runs(Stage::liner) + plan_.runs(Stage::flat_pattern);
     const std::size_t shapes = plan_.runs(Stage::preview) ? design_.make.preview->cases.size() : 0;
     steps_ += static_cast<int>(design_.segments.size() * (parts + 2 * shapes));
   }
@@ -87,6 +89,22 @@ class Builder {
       begin(part_name(s, "liner"));
       deliver(part_name(s, "liner"), liner_solid(segment, options));
     }
+    if (plan_.runs(Stage::flat_pattern)) build_flat_pattern(s);
+  }
+
+  void build_flat_pattern(std::size_t s) {
+    const std::string stem = part_name(s, "flat");
+    begin(stem);
+    if (!design_.segments[s].lattice) {
+      summary_ += fmt::format("{}: no flat pattern, the segment has no lattice\n", stem);
+      return;
+    }
+    const FlatSheet sheet = flat_sheet(design_.segments[s], design_.output.tolerance_mm);
+    const FlatDrawing drawing = flat_drawing(design_, s, sheet);
+    write_svg(staging_.add(stem + ".svg"), drawing);
+    write_dxf(staging_.add(stem + ".dxf"), drawing);
+    summary_ += fmt::format("{0}.svg, {0}.dxf: flat pattern, {1}\n", stem, describe(sheet));
+    note_time(stem);
   }
 
 #if LATTICAST_HAS_MOLDS
@@ -206,12 +224,14 @@ class Builder {
 };
 
 bool makes_anything(const Plan& plan) {
-  return plan.runs(Stage::lattice) || plan.runs(Stage::liner) || plan.runs(Stage::preview) ||
-         plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold);
+  return plan.runs(Stage::lattice) || plan.runs(Stage::liner) || plan.runs(Stage::flat_pattern) ||
+         plan.runs(Stage::preview) || plan.runs(Stage::lattice_mold) ||
+         plan.runs(Stage::liner_mold);
 }
 
 bool draws_lattice(const Plan& plan) {
-  return plan.runs(Stage::lattice) || plan.runs(Stage::preview) || plan.runs(Stage::lattice_mold);
+  return plan.runs(Stage::lattice) || plan.runs(Stage::flat_pattern) || plan.runs(Stage::preview) ||
+         plan.runs(Stage::lattice_mold);
 }
 
 }  // namespace
