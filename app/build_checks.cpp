@@ -15,6 +15,7 @@ Design narrowed(Design design, const Plan& plan) {
   Make& make = design.make;
   make.lattice = plan.runs(Stage::lattice);
   make.liner = plan.runs(Stage::liner);
+  make.flat_pattern = plan.runs(Stage::flat_pattern);
   make.report = plan.runs(Stage::report);
   if (!plan.runs(Stage::preview)) make.preview.reset();
   if (!plan.runs(Stage::lattice_mold)) make.lattice_mold.reset();

@@ -15,12 +15,13 @@ namespace {
 
 bool makes_anything(const Plan& plan) {
   return plan.runs(Stage::lattice) || plan.runs(Stage::liner) || plan.runs(Stage::preview) ||
-         plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold) || plan.runs(Stage::report);
+         plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold) ||
+         plan.runs(Stage::report) || plan.runs(Stage::flat_pattern);
 }
 
 bool draws_lattice(const Plan& plan) {
   return plan.runs(Stage::lattice) || plan.runs(Stage::preview) || plan.runs(Stage::lattice_mold) ||
-         plan.runs(Stage::report);
+         plan.runs(Stage::report) || plan.runs(Stage::flat_pattern);
 }
 
 }  // namespace

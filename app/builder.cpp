@@ -9,6 +9,7 @@
 
 #include "app/audit_output.h"
 #include "app/file_error.h"
+#include "app/flat_pattern.h"
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/staging_folder.h"
@@ -116,6 +117,22 @@ class Builder {
       progress_.begin(part.stem);
       deliver(part, liner_solid(segment, options));
     }
+    if (plan_.runs(Stage::flat_pattern)) build_flat_pattern(s);
+  }
+
+  void build_flat_pattern(std::size_t s) {
+    const std::string stem = part_name(s, "flat");
+    progress_.begin(stem);
+    if (!design_.segments[s].lattice) {
+      summary_ += fmt::format("{}: no flat pattern, the segment has no lattice\n", stem);
+      return;
+    }
+    const FlatSheet sheet = flat_sheet(design_.segments[s], design_.output.tolerance_mm);
+    const FlatDrawing drawing = flat_drawing(design_, s, sheet);
+    write_svg(add_file(stem + ".svg"), drawing);
+    write_dxf(add_file(stem + ".dxf"), drawing);
+    summary_ += fmt::format("{0}.svg, {0}.dxf: flat pattern, {1}\n", stem, describe(sheet));
+    note_time(stem);
   }
 
 #if LATTICAST_HAS_MOLDS
@@ -128,8 +145,8 @@ class Builder {
       printed.mesh = printing_pose(piece);
       deliver(part, printed);
     }
-    write_png(staging_.add(stem + ".png"), exploded_picture(planned.mold));
-    write_file_atomically(staging_.add(stem + ".md"), planned.procedure);
+    write_png(add_file(stem + ".png"), exploded_picture(planned.mold));
+    write_file_atomically(add_file(stem + ".md"), planned.procedure);
     record_pour(planned);
     summary_ += fmt::format("{}.md: pieces, assembly and pouring; {}.png: the mold taken apart\n",
                             stem, stem);
@@ -149,7 +166,7 @@ class Builder {
       preview_part(s, true, liner_solid(segment, options), shapes, picture);
     }
     const std::string file = design_.name + "-preview.png";
-    write_png(staging_.add(file), preview_picture(picture, shapes));
+    write_png(add_file(file), preview_picture(picture, shapes));
     summary_ += fmt::format("{}: {} shapes side by side\n", file, shapes.size());
     note_time("preview, picture");
   }
@@ -193,6 +210,15 @@ class Builder {
     note_time("report, page");
   }
 #endif
+
+  // A file that is no mesh; meshes are recorded with what their audit found.
+  std::filesystem::path add_file(const std::string& name) {
+    ++ready_;
+#if LATTICAST_HAS_PREDICT
+    report_.files.push_back(name);
+#endif
+    return staging_.add(name);
+  }
 
   std::string part_name(std::size_t s, std::string_view part) const {
     if (design_.segments.size() == 1) return fmt::format("{}-{}", design_.name, part);
@@ -247,7 +273,6 @@ class Builder {
   void record_pour([[maybe_unused]] const PlannedMold& planned) {
 #if LATTICAST_HAS_PREDICT
     const std::string stem = part_name(planned.segment, planned.kind);
-    report_.files.insert(report_.files.end(), {stem + ".png", stem + ".md"});
     const Material* poured = poured_material(design_, planned);
     report_.pieces.push_back({stem + ", poured",
                               "pour",

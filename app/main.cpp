@@ -65,7 +65,9 @@ void describe_build(CLI::App& app, CommandLine& typed) {
   CLI::App* build = app.add_subcommand("build", "Make everything that the design's [make] names");
   build->add_option("design", typed.design, "design file")->required();
   build->add_option("-o,--output", typed.folder, "folder for the files; made if missing");
-  build->add_option("--only", typed.only, "parts to make: lattice, liner, preview, molds, report")
+  build
+      ->add_option("--only", typed.only,
+                   "parts to make: lattice, liner, flat-pattern, preview, molds, report")
       ->delimiter(',');
   build->add_flag("--force", typed.force, "build although the checks find errors");
   build->add_flag("--times", typed.times, "write the time of every stage into the report's JSON");

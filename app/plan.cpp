@@ -16,8 +16,9 @@ struct Part {
   std::string_view key;  // in [make]
 };
 
-constexpr std::array<Part, 6> parts{{{Stage::lattice, "lattice"},
+constexpr std::array<Part, 7> parts{{{Stage::lattice, "lattice"},
                                      {Stage::liner, "liner"},
+                                     {Stage::flat_pattern, "flat_pattern"},
                                      {Stage::preview, "preview"},
                                      {Stage::lattice_mold, "lattice_mold"},
                                      {Stage::liner_mold, "liner_mold"},
@@ -29,6 +30,8 @@ bool asked(const Make& make, Stage part) {
       return make.lattice;
     case Stage::liner:
       return make.liner;
+    case Stage::flat_pattern:
+      return make.flat_pattern;
     case Stage::preview:
       return make.preview.has_value();
     case Stage::lattice_mold:
@@ -48,9 +51,8 @@ std::vector<Stage> parts_named(const std::string& word) {
     if (name(part.stage) == word || part.key == word) return {part.stage};
   }
   throw std::invalid_argument(
-      fmt::format("--only {}: no such part; parts are lattice, liner, preview, lattice-mold, "
-                  "liner-mold, molds, "
-                  "report",
+      fmt::format("--only {}: no such part; parts are lattice, liner, flat-pattern, preview, "
+                  "lattice-mold, liner-mold, molds, report",
                   word));
 }
 
@@ -106,7 +108,8 @@ PlannedStage plan_part(const Design& design, Stage stage, const std::vector<Stag
   if (narrowed && std::find(chosen.begin(), chosen.end(), stage) == chosen.end()) {
     return {stage, false, "left out by --only"};
   }
-  const bool needs_lattice = stage == Stage::lattice || stage == Stage::lattice_mold;
+  const bool needs_lattice =
+      stage == Stage::lattice || stage == Stage::flat_pattern || stage == Stage::lattice_mold;
   if (needs_lattice && !has_lattice(design)) {
     return {stage, false, "no segment has a lattice"};
   }
@@ -149,6 +152,8 @@ std::string_view name(Stage stage) {
       return "lattice";
     case Stage::liner:
       return "liner";
+    case Stage::flat_pattern:
+      return "flat-pattern";
     case Stage::preview:
       return "preview";
     case Stage::lattice_mold:

@@ -15,6 +15,7 @@ enum class Stage {
   bending,
   lattice,
   liner,
+  flat_pattern,
   preview,
   lattice_mold,
   liner_mold,
