@@ -146,7 +146,7 @@ ExitStatus run_command(const CLI::App& app, const CommandLine& typed, const Cons
                    console);
 #else
   return left_out(console, app.got_subcommand("audit") ? "audit" : "build", "LATTICAST_GEOMETRY",
-                  "CGAL, assimp and libpng");
+                  "CGAL, libpng, expat, libzip and tinygltf");
 #endif
 }
 

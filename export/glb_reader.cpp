@@ -1,91 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <limits>
 #include <optional>
+#include <ranges>
 #include <utility>
 
 #include "export/glb_file.h"
 #include "export/glb_library.h"
 #include "export/little_endian.h"
+#include "export/placement.h"
 #include "spec/file_error.h"
 
 namespace latticast {
 namespace {
 
-/// Columns after one another, as glTF has them.
-using Matrix = std::array<double, 16>;
-
-constexpr Matrix identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 /// Metres, y upward, to mm, z upward.
-constexpr Matrix millimetres_z_up{1000, 0, 0, 0, 0, 0, 1000, 0, 0, -1000, 0, 0, 0, 0, 0, 1};
+constexpr Placement millimetres_z_up{{{1000, 0, 0}, {0, 0, 1000}, {0, -1000, 0}, {0, 0, 0}}};
 
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix result{};
-  for (std::size_t column = 0; column < 4; ++column) {
-    for (std::size_t row = 0; row < 4; ++row) {
-      for (std::size_t i = 0; i < 4; ++i) {
-        result[4 * column + row] += a[4 * i + row] * b[4 * column + i];
-      }
-    }
-  }
-  return result;
-}
-
-bool mirrors(const Matrix& m) {
-  return m[0] * (m[5] * m[10] - m[9] * m[6]) - m[4] * (m[1] * m[10] - m[9] * m[2]) +
-             m[8] * (m[1] * m[6] - m[5] * m[2]) <
-         0;
-}
-
-Point moved(const Matrix& m, const Point& p) {
-  Point result;
-  for (std::size_t row = 0; row < 3; ++row) {
-    result[row] =
-        static_cast<float>(m[row] * p[0] + m[4 + row] * p[1] + m[8 + row] * p[2] + m[12 + row]);
-  }
-  return result;
+Placement rotation(double x, double y, double z, double w) {
+  return {{{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
+           {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
+           {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)},
+           {0, 0, 0}}};
 }
 
 /// The node's own placement: a matrix, or a scaling, then a rotation by a quaternion, then a shift.
-Matrix placement(const tinygltf::Node& node) {
-  Matrix result = identity;
+Placement placement_of(const tinygltf::Node& node) {
+  Placement result = in_place;
   if (node.matrix.size() == 16) {
-    std::copy(node.matrix.begin(), node.matrix.end(), result.begin());
+    for (std::size_t i = 0; i < 16; ++i) {
+      if (i % 4 < 3) {
+        result[i / 4][i % 4] = node.matrix[i];
+      }
+    }
     return result;
   }
   if (node.rotation.size() == 4) {
-    const double x = node.rotation[0];
-    const double y = node.rotation[1];
-    const double z = node.rotation[2];
-    const double w = node.rotation[3];
-    result = {1 - 2 * (y * y + z * z),
-              2 * (x * y + z * w),
-              2 * (x * z - y * w),
-              0,
-              2 * (x * y - z * w),
-              1 - 2 * (x * x + z * z),
-              2 * (y * z + x * w),
-              0,
-              2 * (x * z + y * w),
-              2 * (y * z - x * w),
-              1 - 2 * (x * x + y * y),
-              0,
-              0,
-              0,
-              0,
-              1};
+    result = rotation(node.rotation[0], node.rotation[1], node.rotation[2], node.rotation[3]);
   }
-  if (node.scale.size() == 3) {
-    for (std::size_t i = 0; i < 12; ++i) {
-      result[i] *= node.scale[i / 4];
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t row = 0; row < 3 && node.scale.size() == 3; ++row) {
+      result[axis][row] *= node.scale[axis];
     }
-  }
-  if (node.translation.size() == 3) {
-    std::copy(node.translation.begin(), node.translation.end(), result.begin() + 12);
+    if (node.translation.size() == 3) {
+      result[3][axis] = node.translation[axis];
+    }
   }
   return result;
 }
@@ -143,7 +105,7 @@ class SceneReader {
       fail("holds no scene");
     }
     const int scene = std::max(model_.defaultScene, 0);
-    std::vector<std::pair<int, Matrix>> waiting;
+    std::vector<std::pair<int, Placement>> waiting;
     add_nodes(at(model_.scenes, scene, "scene").nodes, millimetres_z_up, waiting);
     std::vector<bool> seen(model_.nodes.size());
     while (!waiting.empty()) {
@@ -154,7 +116,7 @@ class SceneReader {
         fail("has a node with two parents");
       }
       seen[number] = true;
-      const Matrix here = product(parent, placement(node));
+      const Placement here = placed(parent, placement_of(node));
       if (node.mesh >= 0) {
         append_mesh(at(model_.meshes, node.mesh, "mesh"), here);
       }
@@ -220,10 +182,10 @@ class SceneReader {
     }
   }
 
-  static void add_nodes(const std::vector<int>& nodes, const Matrix& parent,
-                        std::vector<std::pair<int, Matrix>>& waiting) {
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
-      waiting.emplace_back(*node, parent);
+  static void add_nodes(const std::vector<int>& nodes, const Placement& parent,
+                        std::vector<std::pair<int, Placement>>& waiting) {
+    for (const int node : nodes | std::views::reverse) {
+      waiting.emplace_back(node, parent);
     }
   }
 
@@ -247,7 +209,7 @@ class SceneReader {
   }
 
   /// Returns how many.
-  std::size_t append_positions(const tinygltf::Primitive& primitive, const Matrix& here) {
+  std::size_t append_positions(const tinygltf::Primitive& primitive, const Placement& here) {
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) {
       return 0;
@@ -264,8 +226,7 @@ class SceneReader {
     for (std::size_t i = 0; i < numbers.count; ++i) {
       const char* const in = numbers.first + i * numbers.stride;
       const Point point{get_float32(in), get_float32(in + 4), get_float32(in + 8)};
-      // A product with 1 and 0 would lose the sign of zero.
-      mesh_.vertices.push_back(here == identity ? point : moved(here, point));
+      mesh_.vertices.push_back(placed(here, point));
     }
     return numbers.count;
   }
@@ -311,7 +272,7 @@ class SceneReader {
     }
   }
 
-  void append_mesh(const tinygltf::Mesh& mesh, const Matrix& here) {
+  void append_mesh(const tinygltf::Mesh& mesh, const Placement& here) {
     for (const tinygltf::Primitive& primitive : mesh.primitives) {
       if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
           primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) {

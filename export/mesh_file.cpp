@@ -2,17 +2,18 @@
 #include "export/mesh_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <fstream>
 #include <system_error>
 
-#include "export/assimp_file.h"
 #include "export/atomic_file.h"
 #include "export/glb_file.h"
 #include "export/mesh_checks.h"
 #include "export/obj_file.h"
 #include "export/ply_file.h"
 #include "export/stl_file.h"
+#include "export/three_mf_file.h"
 #include "spec/file_error.h"
 
 namespace latticast {
@@ -64,29 +65,29 @@ TriangleMesh decode(const std::filesystem::path& file, std::string_view bytes) {
     return decode_glb(file, bytes);
   }
   if (extension == ".3mf") {
-    return decode_with_assimp(file, bytes, extension);
+    return decode_three_mf(file, bytes);
   }
   throw FileError(
       file, "is not known as a mesh file: it needs the extension .stl, .obj, .ply, .3mf or .glb");
 }
 
-std::string encode(const TriangleMesh& mesh, MeshFormat format) {
+std::string encode(const TriangleMesh& mesh, MeshFormat format, const std::string& name) {
   switch (format) {
     case MeshFormat::stl:
       return encode_stl(mesh);
     case MeshFormat::obj:
       return encode_obj(mesh);
-    default:
+    case MeshFormat::ply:
       return encode_ply(mesh);
+    case MeshFormat::three_mf:
+      return encode_three_mf(std::array{NamedMesh{name, mesh}});
+    case MeshFormat::glb:
+      return encode_glb({{{name, mesh}}});
   }
+  throw std::invalid_argument("no mesh format");
 }
 
 }  // namespace
-
-UnsupportedFormat::UnsupportedFormat(MeshFormat unsupported)
-    : std::runtime_error("writing " + std::string(extension(unsupported)) +
-                         " files is not supported yet; .stl, .obj and .ply are"),
-      format(unsupported) {}
 
 std::string_view extension(MeshFormat format) {
   switch (format) {
@@ -104,16 +105,9 @@ std::string_view extension(MeshFormat format) {
   throw std::invalid_argument("no mesh format");
 }
 
-bool can_write(MeshFormat format) {
-  return format == MeshFormat::stl || format == MeshFormat::obj || format == MeshFormat::ply;
-}
-
 void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, MeshFormat format) {
-  if (!can_write(format)) {
-    throw UnsupportedFormat(format);
-  }
   require_valid(mesh);
-  write_file_atomically(file, encode(mesh, format));
+  write_file_atomically(file, encode(mesh, format, file.stem().string()));
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& file) {

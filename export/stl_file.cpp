@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export/stl_file.h"
 
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
 #include "export/line_reader.h"
+#include "export/little_endian.h"
 #include "spec/file_error.h"
 
 namespace latticast {
@@ -21,26 +21,11 @@ constexpr std::string_view header_text = "binary STL, unit mm";
 
 using Vector = std::array<float, 3>;
 
-char* put_uint32(char* out, std::uint32_t value) {
-  for (unsigned shift = 0; shift < 32; shift += 8) {
-    *out++ = static_cast<char>(value >> shift);
-  }
-  return out;
-}
-
 char* put_vector(char* out, const Vector& vector) {
   for (const float x : vector) {
-    out = put_uint32(out, std::bit_cast<std::uint32_t>(x));
+    out = put_float32(out, x);
   }
   return out;
-}
-
-std::uint32_t get_uint32(const char* in) {
-  std::uint32_t value = 0;
-  for (unsigned i = 0; i < 4; ++i) {
-    value |= std::uint32_t{static_cast<unsigned char>(in[i])} << (8 * i);
-  }
-  return value;
 }
 
 Vector rounded(const Point& p) {
@@ -60,7 +45,7 @@ Vector unit_normal(const Vector& a, const Vector& b, const Vector& c) {
 }
 
 std::size_t facet_count(std::string_view bytes) {
-  return get_uint32(bytes.data() + header_size);
+  return get_little_endian(bytes.data() + header_size, 4);
 }
 
 bool has_binary_length(std::string_view bytes) {
@@ -150,8 +135,7 @@ class TextStlReader {
 std::string encode_stl(const TriangleMesh& mesh) {
   std::string bytes(preamble_size + facet_size * mesh.triangles.size(), '\0');
   header_text.copy(bytes.data(), header_text.size());
-  char* out =
-      put_uint32(bytes.data() + header_size, static_cast<std::uint32_t>(mesh.triangles.size()));
+  char* out = put_little_endian(bytes.data() + header_size, mesh.triangles.size(), 4);
   for (const Triangle& triangle : mesh.triangles) {
     const Vector a = rounded(mesh.vertices[triangle[0]]);
     const Vector b = rounded(mesh.vertices[triangle[1]]);
@@ -190,7 +174,7 @@ TriangleMesh decode_binary_stl(const std::filesystem::path& file, std::string_vi
     for (std::size_t corner = 3 * i; corner < 3 * i + 3; ++corner) {
       mesh.triangles[i][corner - 3 * i] = static_cast<std::uint32_t>(corner);
       for (double& coordinate : mesh.vertices[corner]) {
-        coordinate = std::bit_cast<float>(get_uint32(in));
+        coordinate = get_float32(in);
         in += sizeof(float);
       }
     }

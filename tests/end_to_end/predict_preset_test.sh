@@ -23,7 +23,7 @@ refuse() {
 }
 
 hidden=()
-for package in CGAL GMP GMPXX MPFR assimp PNG Boost TBB; do
+for package in CGAL GMP GMPXX MPFR PNG EXPAT Boost TBB; do
   hidden+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON")
 done
 
@@ -37,13 +37,13 @@ program=$folder/app/latticast
 headers=$(cmake --build "$folder" -- -t deps)
 grep -qE '/kinsol/kinsol\.h$' <<<"$headers" || fail "the record of headers is not what it should be"
 refuse "a header of the geometry part was read" \
-  '/(CGAL|boost|assimp)/|/(gmp|gmpxx|mpfr|png|pngconf)\.h$' "$headers"
+  '/(CGAL|boost)/|/(gmp|gmpxx|mpfr|png|pngconf|expat|zip|tiny_gltf)\.h$' "$headers"
 
 libraries=$(readelf -d "$program")
 grep -qE 'NEEDED.*libsundials_kinsol' <<<"$libraries" || fail "the program does not link KINSOL"
 loaded=$(ldd "$program")
 refuse "the program needs a library of the geometry part" \
-  'lib(gmp|gmpxx|mpfr|assimp|png|png16|CGAL|boost[a-z_]*)[.-]' "$libraries"$'\n'"$loaded"
+  'lib(gmp|gmpxx|mpfr|png|png16|expat|zip|CGAL|boost[a-z_]*)[.-]' "$libraries"$'\n'"$loaded"
 
 table=$("$program" predict "$design" --pressure 0:60:20 --format csv)
 echo "$table"

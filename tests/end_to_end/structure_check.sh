@@ -40,10 +40,11 @@ owners='
 ^polyclipping/       geometry/solid
 ^(gmp|gmpxx|mpfr)\.h geometry/solid molds
 ^(sundials|kinsol|cvodes|nvector|sunmatrix|sunlinsol|sunnonlinsol)/ model
-^assimp/             export
+^assimp/             tests
 ^png\.h              export
+^(tiny_gltf|zip|expat)\.h export
 ^CLI/                app
-^nlohmann/           report app
+^nlohmann/           export report app
 ^(unistd|fcntl|signal|poll)\.h export app
 ^sys/                export app
 '

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Feeds bytes to the readers of STL and OBJ; the first byte chooses which. What they accept must be
-// a mesh that can be welded, and written and read again without a change. The other formats are
-// read by assimp, whose readers this does not answer for.
+// Feeds bytes to the readers of STL, OBJ and PLY; the first byte chooses which. What they accept
+// must be a mesh that can be welded, and written and read again without a change.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
@@ -11,6 +11,7 @@
 
 #include "export/mesh_file.h"
 #include "export/obj_file.h"
+#include "export/ply_file.h"
 #include "export/stl_file.h"
 #include "geometry/mesh/weld.h"
 #include "spec/file_error.h"
@@ -50,9 +51,10 @@ void require_valid(const TriangleMesh& mesh) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
+  constexpr std::array names{"fuzzed.stl", "fuzzed.obj", "fuzzed.ply", "fuzzed.obj"};
   TriangleMesh mesh;
   try {
-    mesh = read_mesh_bytes(data[0] % 2 == 0 ? "fuzzed.stl" : "fuzzed.obj", bytes);
+    mesh = read_mesh_bytes(names[data[0] % names.size()], bytes);
   } catch (const FileError&) {
     return 0;
   }
@@ -60,5 +62,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require_valid(weld(mesh));
   require_same_corners(mesh, read_mesh_bytes("again.stl", encode_stl(mesh)));
   require_same_corners(mesh, read_mesh_bytes("again.obj", encode_obj(mesh)));
+  require_same_corners(mesh, read_mesh_bytes("again.ply", encode_ply(mesh)));
   return 0;
 }

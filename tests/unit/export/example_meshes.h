@@ -2,8 +2,12 @@
 // Meshes made for tests.
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <numbers>
+#include <random>
 
 #include "geometry/mesh/triangle_mesh.h"
 
@@ -36,6 +40,43 @@ inline TriangleMesh torus(std::uint32_t around, std::uint32_t across) {
     }
   }
   return mesh;
+}
+
+/// Coordinates from all float32 bit patterns: tiny, huge, infinite, NaN and both zeros.
+inline TriangleMesh any_floats(unsigned seed) {
+  std::mt19937 random(seed);
+  TriangleMesh mesh;
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    Point point;
+    for (double& x : point) {
+      x = std::bit_cast<float>(static_cast<std::uint32_t>(random()));
+    }
+    mesh.vertices.push_back(point);
+    if (i % 3 == 2) {
+      mesh.triangles.push_back({i - 2, i - 1, i});
+    }
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  mesh.vertices[0] = {-0.0, 0.0, infinity};
+  mesh.vertices[1] = {-infinity, std::numeric_limits<double>::quiet_NaN(), 1e300};
+  mesh.vertices[2] = {1.17549435e-38, 1e-45, 3.4028235e38};
+  return mesh;
+}
+
+/// What meshes should not be and files must hold all the same: an edge with three faces, a vertex
+/// that joins two fans, repeated and unused vertices, tiny and huge coordinates, minus zero.
+inline TriangleMesh hard_mesh() {
+  return {{{-0.0, 0, 0},
+           {1, 0, 0},
+           {0, 1, 0},
+           {0, 0, 1},
+           {0, 0, -1},
+           {1, 0, 0},
+           {7, 8, 9},
+           {1e-30, -1e-30, 1e30},
+           {-1e30, 0.1, 1.0 / 3},
+           {16777217, 85, -0.0}},
+          {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {5, 7, 8}, {8, 9, 5}, {9, 1, 0}}};
 }
 
 }  // namespace latticast

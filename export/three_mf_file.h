@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// 3MF: a zip archive with one XML model, for printers and slicers.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "export/colour.h"
+#include "geometry/mesh/triangle_mesh.h"
+
+namespace latticast {
+
+struct NamedMesh {
+  std::string name;
+  TriangleMesh mesh;
+  Colour colour{0.60, 0.62, 0.66};
+};
+
+/// The parts as a 3MF package (core specification) in millimetres: an object with the part's name
+/// and display colour, and one build item, for each. Coordinates have the fewest digits that
+/// identify the float32. Vertices and triangles keep their numbers; a triangle whose corners are
+/// not three vertices is written all the same, although 3MF allows none and readers drop it. The
+/// bytes depend on the parts and the program's version alone: no dates.
+///
+/// Throws std::invalid_argument for no parts, a mesh without triangles or with an index past its
+/// vertices, a coordinate that is not finite at float32 (3MF has none), and a name that is not
+/// UTF-8 or has control characters.
+std::string encode_three_mf(std::span<const NamedMesh> parts);
+
+/// Writes encode_three_mf(parts); the file appears whole or not at all. Throws as that does, and
+/// FileError.
+void write_three_mf(const std::filesystem::path& file, std::span<const NamedMesh> parts);
+
+/// The triangles of all build items of a 3MF package in mm (the model's unit is applied), in their
+/// order, objects made of components included. A coordinate is the float32 nearest to its text
+/// where nothing is moved or scaled; otherwise the product is rounded to float32 once. A transform
+/// that mirrors keeps the surface facing outward. Vertices and triangles are neither joined nor
+/// dropped. Names, colours, slices and beams are passed over.
+///
+/// Memory grows with the unpacked model. Throws FileError naming `file`, and the model's line where
+/// there is one, for an archive or XML that is damaged, a number that is none, a triangle that
+/// names a missing vertex, an object that is not defined before it is used, objects in other models
+/// (production extension), and components that multiply beyond reason.
+TriangleMesh decode_three_mf(const std::filesystem::path& file, std::string_view bytes);
+
+}  // namespace latticast
