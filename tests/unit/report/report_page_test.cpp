@@ -73,7 +73,7 @@ TEST(ReportPage, EveryPlaceIsFilled) {
 TEST(ReportPage, ScriptsEndNoElementOfTheirOwn) {
   const std::string page = page_with("name");
   EXPECT_EQ(count(page, "<script"), count(page, "</script"));
-  EXPECT_EQ(count(page, "</script>"), 5);
+  EXPECT_EQ(count(page, "</script>"), 6);
 }
 
 // The licence of the view's library asks for its notice in every copy.
