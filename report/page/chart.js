@@ -14,6 +14,12 @@ function round_ticks(low, high, wanted) {
   return Array.from({ length: last - first + 1 }, (_, i) => Number(((first + i) * step).toPrecision(12)));
 }
 
+/** @param {number[]} ticks @returns {string[]} all with as many decimals as the finest needs */
+function tick_texts(ticks) {
+  const decimals = Math.max(0, ...ticks.map((value) => (String(value).split(".")[1] ?? "").length));
+  return ticks.map((value) => with_minus(value.toFixed(decimals)));
+}
+
 /** @param {number[]} values @returns {[number, number]} their range, a little wider; never empty */
 function wide_range(values) {
   const [low, high] = [Math.min(...values), Math.max(...values)];
@@ -48,12 +54,14 @@ function chart_scales({ points, band, marks, turning }) {
 /** @returns {SVGElement[]} lines, ticks and names of both axes */
 function chart_axes(scales, unit) {
   const { width, height, left, right, top, bottom } = CHART;
-  const across = round_ticks(scales.x0, scales.x1, 5).map((value) => [
+  const [xs, ys] = [round_ticks(scales.x0, scales.x1, 5), round_ticks(scales.y0, scales.y1, 5)];
+  const [x_texts, y_texts] = [tick_texts(xs), tick_texts(ys)];
+  const across = xs.map((value, i) => [
     svg("line", { class: "grid", x1: scales.x(value), y1: top, x2: scales.x(value), y2: height - bottom }),
-    svg("text", { class: "tick-text", x: scales.x(value), y: height - bottom + 16, "text-anchor": "middle" }, given(value))]);
-  const up = round_ticks(scales.y0, scales.y1, 5).map((value) => [
+    svg("text", { class: "tick-text", x: scales.x(value), y: height - bottom + 16, "text-anchor": "middle" }, x_texts[i])]);
+  const up = ys.map((value, i) => [
     svg("line", { class: "grid", x1: left, y1: scales.y(value), x2: width - right, y2: scales.y(value) }),
-    svg("text", { class: "tick-text", x: left - 7, y: scales.y(value) + 4, "text-anchor": "end" }, given(value))]);
+    svg("text", { class: "tick-text", x: left - 7, y: scales.y(value) + 4, "text-anchor": "end" }, y_texts[i])]);
   return [...across.flat(), ...up.flat(),
     svg("path", { class: "axis-line", d: `M${left} ${top}V${height - bottom}H${width - right}` }),
     svg("text", { class: "axis-text", x: (left + width - right) / 2, y: height - 8, "text-anchor": "middle" }, "Pressure, kPa"),
@@ -79,16 +87,18 @@ function runs_of_stability(points) {
   return runs;
 }
 
-/** @returns {SVGElement[]} the stable range as a field with its name */
-function stable_field(scales, [from, to]) {
+/** @returns {SVGElement[]} the stable range as a field, its name in the corner that the curve leaves free */
+function stable_field(scales, { stable: [from, to], points }) {
   if (!is_number(from) && !is_number(to)) return [];
   const low = Math.max(scales.x0, from ?? scales.x0);
   const high = Math.min(scales.x1, to ?? scales.x1);
   if (high <= low) return [];
   const { height, top, bottom } = CHART;
   const span = scales.x(high) - scales.x(low);
+  const first = value_at(points, low) ?? points[0].y;
+  const y = is_number(first) && scales.y(first) > height / 2 ? top + 15 : height - bottom - 7;
   return [svg("rect", { class: "stable", x: scales.x(low), y: top, width: span, height: height - top - bottom }),
-    span > 50 ? svg("text", { class: "field-text", x: scales.x(low) + 6, y: height - bottom - 7 }, "stable") : null];
+    span > 50 ? svg("text", { class: "field-text", x: scales.x(low) + 6, y }, "stable") : null];
 }
 
 /** @param {Object[]} marks @returns {SVGElement[]} lines at limit points with their names */
@@ -113,8 +123,8 @@ function band_field(scales, band) {
 
 /** @param {ChartContent} content @returns {SVGElement[]} everything that stands still */
 function chart_body(content, scales) {
-  const { points, band, stable, marks, turning, unit } = content;
-  return [...stable_field(scales, stable), ...chart_axes(scales, unit), band_field(scales, band),
+  const { points, band, marks, turning, unit } = content;
+  return [...stable_field(scales, content), ...chart_axes(scales, unit), band_field(scales, band),
     ...runs_of_stability(points).map(([steady, run]) => svg("path", { class: steady ? "curve" : "curve unstable", d: path_through(run, scales) })),
     ...limit_lines(scales, marks),
     ...turning.map((p) => svg("path", { class: "turning", d: `M${scales.x(p.x)} ${scales.y(p.y) - 6}l6 6l-6 6l-6-6z` })),

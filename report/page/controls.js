@@ -109,7 +109,7 @@ function case_choice(cases, present) {
     const found = cases.findIndex((one) => pressures.every((value, i) => value === one.pressures_kPa[i]));
     choice.value = found < 0 ? "" : String(found);
   });
-  return h("p", { class: "choice" }, h("label", { for: "load-case" }, "Load case"), " ", choice);
+  return h("div", { class: "choice" }, h("label", { for: "load-case" }, "Load case"), choice);
 }
 
 /**

@@ -46,7 +46,7 @@ function view_panel({ report, view }, segments, present) {
   const sliders = sliders_for(segments, present);
   const note = "Shapes were computed at the ticks; between them they are interpolated.";
   return h("div", { class: "panel" }, sliders,
-    sliders.length ? [h("p", { class: "play" }, play_button(present)), case_choice(list(view.cases), present),
+    sliders.length ? [h("div", { class: "play" }, play_button(present), case_choice(list(view.cases), present)),
       live_numbers(report, segments, present), h("p", { class: "note" }, note)] : null,
     list(segments).length && sliders.length === 0 ? h("p", { class: "note" }, "Only the shape at rest was computed.") : null,
     view.note ? h("p", { class: "note" }, view.note) : null);
@@ -110,6 +110,12 @@ function set_pressure(present, pressure_kPa) {
   else present.set_same(pressure_kPa);
 }
 
+/** Lets tables and curves be seen before the picture is prepared; a hidden page paints nothing and does not wait. */
+function after_painting(act) {
+  if (document.hidden) act();
+  else requestAnimationFrame(() => setTimeout(act));
+}
+
 /**
  * window.latticast, for tests and for those who take numbers from the page:
  *   ready              a promise of {viewer: boolean}, fulfilled when the page can be used
@@ -132,7 +138,7 @@ function start_page() {
   const { actuator, present, start } = page;
   Object.assign(window.latticast, { setPressure: (kPa) => set_pressure(present, kPa),
     vertices: (node) => actuator.vertices(node), bounds: () => actuator.bounds() });
-  document.addEventListener("DOMContentLoaded", () => done({ viewer: start(create_viewer) }));
+  document.addEventListener("DOMContentLoaded", () => after_painting(() => done({ viewer: start(create_viewer) })));
 }
 
 start_page();

@@ -117,6 +117,16 @@ function follow_printing(stage, viewer) {
   window.addEventListener("afterprint", () => { stage.printed.hidden = true; });
 }
 
+/** The observer's first call tells nothing new. */
+function follow_size(canvas, viewer) {
+  let [width, height] = [canvas.clientWidth, canvas.clientHeight];
+  new ResizeObserver(() => {
+    if (canvas.clientWidth === width && canvas.clientHeight === height) return;
+    [width, height] = [canvas.clientWidth, canvas.clientHeight];
+    viewer.resize();
+  }).observe(canvas);
+}
+
 /** @param {Object[]} cases of the report's chain @returns {Float32Array} tips that exist */
 function workspace_points(cases) {
   return Float32Array.from(cases.filter((one) => one.exists !== false && list(one.tip_mm).length === 3).flatMap((one) => one.tip_mm));
@@ -155,7 +165,7 @@ function start_view(create_viewer, { stage, actuator, present, report, pins, too
   follow_keys(stage.canvas, viewer);
   follow_printing(stage, viewer);
   present.follow(() => viewer.set_poses(actuator.poses));
-  new ResizeObserver(viewer.resize).observe(stage.canvas);
+  follow_size(stage.canvas, viewer);
   new MutationObserver(() => viewer.set_colours(view_colours()))
     .observe(document.documentElement, { attributeFilter: ["data-theme"] });
   viewer.draw();

@@ -67,13 +67,12 @@ function create_viewer({ canvas, bodies, colours, room, on_drawn }) {
     waiting = true;
   }
 
-  function resize() {
+  function set_size() {
     const { clientWidth: width, clientHeight: height } = canvas;
     if (width === 0 || height === 0) return;
     world.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     world.renderer.setSize(width, height, false);
     eye.set_shape(width, height);
-    draw();
   }
 
   /** @param {number[]} point_mm @returns {number[]|null} pixels of the canvas; null behind the eye */
@@ -84,9 +83,11 @@ function create_viewer({ canvas, bodies, colours, room, on_drawn }) {
   }
 
   canvas.addEventListener("webglcontextrestored", request);
-  resize();
+  set_size();
   return {
-    draw, request, resize, project,
+    draw, request, project,
+    /** To be called when the canvas has another size. It draws at once, lest the picture flickers. */
+    resize: () => { set_size(); draw(); },
     fit: eye.fit, look_from: eye.look_from, turn: eye.turn, zoom: eye.zoom, look_at: eye.look_at,
     mm_per_pixel: eye.mm_per_pixel, axis_on_screen: eye.axis_on_screen,
     set_poses: (poses) => { world.set_poses(poses); request(); },

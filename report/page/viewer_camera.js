@@ -12,6 +12,11 @@ function sphere_around(room) {
   return box.getBoundingSphere(new Sphere());
 }
 
+/** @param {{min: number[], max: number[]}} room @returns {number[][]} its eight corners */
+function corners_of({ min, max }) {
+  return Array.from({ length: 8 }, (_, k) => [0, 1, 2].map((i) => (k >> i & 1 ? max : min)[i]));
+}
+
 /** @param {function()} changed called when the picture must be drawn anew */
 export function create_camera(canvas, room, changed) {
   const camera = new PerspectiveCamera(FIELD_DEG, 1, 1, 1e4);
@@ -41,14 +46,22 @@ export function create_camera(canvas, room, changed) {
     changed();
   }
 
-  /** Distance from which a sphere fills the smaller side of the picture. */
-  function distance_for(radius) {
-    const half = (FIELD_DEG * Math.PI) / 360;
-    return (1.04 * radius) / Math.sin(Math.atan(Math.tan(half) * Math.min(1, camera.aspect)));
+  /** Distance of the eye from which every corner of the room is seen. */
+  function distance_for_room() {
+    const up = Math.tan((FIELD_DEG * Math.PI) / 360);
+    camera.position.copy(sphere.center).add(direction);
+    camera.lookAt(sphere.center);
+    camera.updateMatrixWorld();
+    const turned = camera.matrixWorldInverse;
+    return Math.max(...corners_of(room).map((corner) => {
+      const seen = new Vector3(...corner).sub(sphere.center).transformDirection(turned)
+        .multiplyScalar(new Vector3(...corner).distanceTo(sphere.center));
+      return seen.z + 1.12 * Math.max(Math.abs(seen.x) / (up * camera.aspect), Math.abs(seen.y) / up);
+    }));
   }
 
   function fit() {
-    stand(sphere.center, distance_for(sphere.radius));
+    stand(sphere.center, distance_for_room());
   }
 
   /** @param {number} around @param {number} up radians */
@@ -86,7 +99,7 @@ export function create_camera(canvas, room, changed) {
     /** Moves the point around which the eye turns, and comes near. @param {number[]} point_mm */
     look_at(point_mm) {
       direction = camera.position.clone().sub(controls.target).normalize();
-      stand(new Vector3(...point_mm), distance_for(sphere.radius / 3));
+      stand(new Vector3(...point_mm), distance_for_room() / 2);
     },
     /** @param {number} factor of the distance */
     zoom(factor) {

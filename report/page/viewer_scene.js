@@ -2,12 +2,12 @@
 // What the 3-D view shows: bodies, a grid of 10 mm under them, and light that comes with the eye.
 
 import { BufferAttribute, BufferGeometry, DirectionalLight, DoubleSide, FrontSide, GridHelper, HemisphereLight, Matrix4, Mesh,
-  MeshStandardMaterial, Plane, Quaternion, Scene, Vector3, WebGLRenderer } from "three";
+  MeshLambertMaterial, Plane, Quaternion, Scene, Vector3, WebGLRenderer } from "three";
 
 const ONE = new Vector3(1, 1, 1);
 
 function material_of(colour) {
-  return new MeshStandardMaterial({ color: colour, roughness: 0.7, metalness: 0, flatShading: true, side: DoubleSide });
+  return new MeshLambertMaterial({ color: colour, flatShading: true, side: DoubleSide });
 }
 
 /** @returns {Mesh} whose vertices are those of the body, not a copy */
