@@ -42,10 +42,12 @@ if(NOT STATUS EQUAL 0)
   leave_out("npm ci failed (${STATUS}); configure again to retry.\n${ERRORS}")
   return()
 endif()
+# three.js names its licence in one line; the licence itself asks for all of its text.
+file(READ "${WORK}/node_modules/three/LICENSE" LICENCE)
 execute_process(
   COMMAND "${NODE}" node_modules/esbuild/bin/esbuild viewer.js --bundle --minify --format=iife
           --target=es2020 --charset=utf8 --legal-comments=inline --log-level=warning
-          "--outfile=${BUNDLE}"
+          "--banner:js=/*! three.js\n\n${LICENCE}*/" "--outfile=${BUNDLE}"
   WORKING_DIRECTORY "${WORK}" TIMEOUT 100
   RESULT_VARIABLE STATUS ERROR_VARIABLE ERRORS)
 if(NOT STATUS EQUAL 0)

@@ -49,7 +49,7 @@ function deed_facts(report) {
     const point = largest_point(segment.curve);
     const name = segments.length > 1 ? `Segment ${segment.segment} at ` : "At ";
     return fact(name + with_unit(point.pressure_kPa, "kPa", given), capital(deed(point)),
-      point.stable === false ? "unstable" : "");
+      point.stable === false ? "▲ unstable" : "");
   });
 }
 
