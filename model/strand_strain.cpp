@@ -114,9 +114,13 @@ Nearness nearest_ring(const std::vector<double>& centres, double width_mm, const
   return nearest;
 }
 
-WallPoint wall_point(const Point& p, double floor_mm, double ceiling_mm, double start_z_mm) {
-  return {std::clamp(std::hypot(p[0], p[1]), floor_mm, ceiling_mm), std::atan2(p[1], p[0]),
-          p[2] - start_z_mm};
+// Corners of flat columns stand a little out of the faces that they stand for.
+WallPoint wall_point(const Point& p, double floor_mm, double ceiling_mm, double start_z_mm,
+                     double tolerance_mm) {
+  double radius = std::hypot(p[0], p[1]);
+  const double face = radius < 0.5 * (floor_mm + ceiling_mm) ? floor_mm : ceiling_mm;
+  if (std::abs(radius - face) <= tolerance_mm) radius = face;
+  return {std::clamp(radius, floor_mm, ceiling_mm), std::atan2(p[1], p[0]), p[2] - start_z_mm};
 }
 
 // Bending turns along the segment; the wall's stretch is asked for in the base's directions.
@@ -202,8 +206,8 @@ StrandField strand_field(const Segment& segment, const TriangleMesh& rest, doubl
   field.first.push_back(0);
   std::vector<Nearness> near(families.size() + 1);
   for (const Point& p : rest.vertices) {
-    const WallPoint point =
-        wall_point(p, segment.liner_outer_radius_mm(), segment.outer_radius_mm(), start_z_mm);
+    const WallPoint point = wall_point(p, segment.liner_outer_radius_mm(),
+                                       segment.outer_radius_mm(), start_z_mm, tolerance_mm);
     near.back() = nearest_ring(centres, lattice.rings ? lattice.rings->width_mm : 0, point);
     for (std::size_t i = 0; i < families.size(); ++i) {
       near[i] = nearest_strand(families[i], mid_radius, point);
@@ -247,12 +251,12 @@ std::vector<double> strand_strains(const StrandField& field, const State& state)
 }
 
 std::vector<double> liner_strains(const Segment& segment, const TriangleMesh& rest,
-                                  double start_z_mm, const State& state) {
+                                  double start_z_mm, double tolerance_mm, const State& state) {
   std::vector<double> strains;
   strains.reserve(rest.vertices.size());
   for (const Point& p : rest.vertices) {
-    const WallPoint point =
-        wall_point(p, segment.inner_radius_mm(), segment.liner_outer_radius_mm(), start_z_mm);
+    const WallPoint point = wall_point(p, segment.inner_radius_mm(),
+                                       segment.liner_outer_radius_mm(), start_z_mm, tolerance_mm);
     const WallStretch at =
         stretch_at(segment, state, point.radius_mm, point.theta_rad, point.along_mm);
     strains.push_back(at.largest_principal() - 1);

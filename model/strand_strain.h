@@ -14,7 +14,7 @@ namespace latticast {
 
 /// A vertex of a segment at rest, in the segment's own cylinder coordinates.
 struct WallPoint {
-  double radius_mm = 0;  ///< within the layer: corners of flat columns stand a little out of it
+  double radius_mm = 0;  ///< R of the layer's face where the mesh means that face
   double theta_rad = 0;
   double along_mm = 0;  ///< from the segment's base
 };
@@ -57,8 +57,9 @@ StrandField strand_field(const Segment& segment, const TriangleMesh& rest, doubl
 /// up to |kappa| r w / (2 R sin alpha). Time linear in the vertices.
 std::vector<double> strand_strains(const StrandField& field, const State& state);
 
-/// The liner's largest principal stretch - 1 at every vertex of its rest mesh. Never negative.
+/// The liner's largest principal stretch - 1 at every vertex of its rest mesh, made with the given
+/// tolerance. Never negative.
 std::vector<double> liner_strains(const Segment& segment, const TriangleMesh& rest,
-                                  double start_z_mm, const State& state);
+                                  double start_z_mm, double tolerance_mm, const State& state);
 
 }  // namespace latticast

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What other people's programs make of our files: outside_programs_test.sh PROGRAM SOURCE_TREE
-# Needs admesh and prusa-slicer.
+# Needs admesh, prusa-slicer, ezdxf and rsvg-convert.
 set -uo pipefail
 program=$1
 source_tree=$2
@@ -28,6 +28,34 @@ for example in twisting two_families; do
     says "manifold = yes"
     says "number_of_parts =  1"
   done
+done
+
+# Flat patterns: a DXF reader finds nothing to mend and reads millimetres; an SVG renderer makes a
+# picture of the size that is written in it, 25.4 dots an inch being one a millimetre.
+expect 0 "$program" build "$source_tree/examples/twisting/twisting.toml" -o flat --only flat-pattern
+expect 0 "$program" build "$source_tree/examples/bending/bending.toml" -o flat --only lattice
+sed 's/^lattice = true/flat_pattern = true/; /^preview/d; /^liner/d' \
+  "$source_tree/examples/bending/bending.toml" >bending.toml
+expect 0 "$program" build bending.toml -o flat
+for drawing in flat/*.dxf; do
+  expect 0 ezdxf audit "$drawing"
+  says "No errors found"
+  holds test -z "$(grep -iE 'fixed|unrecoverable' "$work/out" "$work/err")"
+  holds /usr/bin/python3 - "$drawing" <<'END'
+import sys
+import ezdxf
+drawing = ezdxf.readfile(sys.argv[1])
+outlines = drawing.modelspace().query("LWPOLYLINE")
+assert drawing.units == 4, drawing.units
+assert all(outline.closed for outline in outlines)
+assert {outline.dxf.layer for outline in outlines} == {"LATTICE", "SHEET"}
+sheet = [o for o in outlines if o.dxf.layer == "SHEET"][0].get_points("xy")
+assert abs(sheet[2][0] - 106.81415022205297) < 1e-9 and sheet[2][1] == 85, sheet
+END
+done
+for drawing in flat/*.svg; do
+  expect 0 rsvg-convert --dpi-x 25.4 --dpi-y 25.4 -o picture.png "$drawing"
+  holds test -s picture.png
 done
 
 finish

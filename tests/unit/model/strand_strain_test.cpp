@@ -71,6 +71,18 @@ TEST(StrandStrain, OfAnAffineMapIsTheStretchAlongEachStrand) {
   }
 }
 
+// Corners of the flat columns of a mesh within 0.05 mm of the cylinders.
+TEST(StrandStrain, OfCornersIsThatOfTheFacesTheyStandFor) {
+  const State state = twisted(1.3, -0.01, 13.1);
+  TriangleMesh mesh;
+  mesh.vertices = {at(18.049, 0, 0), at(16.04, 0, 0), at(17.9, 0, 0)};
+  const std::vector<double> strains =
+      strand_strains(strand_field(strips_alone({36}), mesh, start_z, 0.05), state);
+  EXPECT_NEAR(strains[0], strip_strain(18, 36 * degree, state), 1e-12);
+  EXPECT_NEAR(strains[1], strip_strain(16, 36 * degree, state), 1e-12);
+  EXPECT_NEAR(strains[2], strip_strain(17.9, 36 * degree, state), 1e-12);
+}
+
 TEST(StrandStrain, OfRingsIsTheChangeOfRadius) {
   const State state = twisted(1.3, 0, 11.4);
   const Segment segment = paper_segment({});
@@ -202,7 +214,7 @@ TEST(LinerStrain, IsTheLargestPrincipalStretchOfTheMap) {
   const State simple = twisted(1.4, 0, 12.5);
   TriangleMesh mesh;
   mesh.vertices = {at(12, 1, 5), at(16, 2, 80)};
-  const std::vector<double> strains = liner_strains(segment, mesh, start_z, simple);
+  const std::vector<double> strains = liner_strains(segment, mesh, start_z, 0.01, simple);
   EXPECT_NEAR(strains[0], 0.4, 1e-12);
   EXPECT_NEAR(strains[1], 0.4, 1e-12);
   // The largest singular value of [hoop shear; 0 axial].
@@ -213,7 +225,7 @@ TEST(LinerStrain, IsTheLargestPrincipalStretchOfTheMap) {
   const double product = f[0] * f[2];
   const double largest = 0.5 * (std::sqrt(sum + 2 * product) + std::sqrt(sum - 2 * product));
   mesh.vertices = {at(14, 1, 5)};
-  EXPECT_NEAR(liner_strains(segment, mesh, start_z, state)[0], largest - 1, 1e-12);
+  EXPECT_NEAR(liner_strains(segment, mesh, start_z, 0.01, state)[0], largest - 1, 1e-12);
 }
 
 }  // namespace
