@@ -34,7 +34,7 @@ ExitStatus run_build(const BuildArguments& arguments, const Console& console) {
   const Plan plan = plan_build(*design, arguments.only);
   if (arguments.dry_run) console.data(describe(plan));
 
-  const std::vector<std::string> missing = unavailable(plan, *design);
+  const std::vector<std::string> missing = unavailable(plan);
   for (const std::string& line : missing) console.error(line);
   if (!missing.empty()) return ExitStatus::invalid;
   if (draws_lattice(plan)) require_drawable(design->segments);

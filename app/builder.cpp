@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/builder.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -13,7 +14,10 @@
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/staging_folder.h"
+#include "export/glb_file.h"
 #include "export/mesh_file.h"
+#include "export/ply_file.h"
+#include "export/three_mf_file.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/audit.h"
 #include "geometry/solid/tube_solids.h"
@@ -37,6 +41,7 @@ struct Part {
   std::string kind;  // empty: a preview, which is no piece of the actuator
   std::size_t segment = 0;
   const Material* material = nullptr;  // none for what the printer prints
+  std::vector<Colour> colours = {};    // of the vertices, in formats that have them
 };
 
 class Builder {
@@ -81,6 +86,7 @@ class Builder {
 #endif
     expect_steps();
     for (std::size_t s = 0; s < design_.segments.size(); ++s) build_segment(s);
+    if (together_.size() > 1) write_together();
 #if LATTICAST_HAS_MOLDS
     for (const PlannedMold& planned : molds) build_mold(planned);
 #endif
@@ -110,14 +116,26 @@ class Builder {
     if (plan_.runs(Stage::lattice) && segment.lattice) {
       const Part part{part_name(s, "lattice"), "lattice", s, &segment.lattice->material};
       progress_.begin(part.stem);
-      deliver(part, lattice_solid(segment, options));
+      deliver_at_rest(part, lattice_solid(segment, options));
     }
     if (plan_.runs(Stage::liner)) {
       const Part part{part_name(s, "liner"), "liner", s, &segment.liner.material};
       progress_.begin(part.stem);
-      deliver(part, liner_solid(segment, options));
+      deliver_at_rest(part, liner_solid(segment, options));
     }
     if (plan_.runs(Stage::flat_pattern)) build_flat_pattern(s);
+  }
+
+  void deliver_at_rest(const Part& part, const Solid& solid) {
+    deliver(part, solid);
+    if (writes(MeshFormat::three_mf)) together_.push_back({part.stem, solid.mesh});
+  }
+
+  // 3MF holds several parts in their places; each was proved in its own file.
+  void write_together() {
+    const std::string file = design_.name + ".3mf";
+    write_three_mf(add_file(file), together_);
+    summary_ += fmt::format("{}: {} parts in their places\n", file, together_.size());
   }
 
   void build_flat_pattern(std::size_t s) {
@@ -156,34 +174,62 @@ class Builder {
 #if LATTICAST_HAS_PREDICT
   void build_preview() {
     const std::vector<PreviewShape> shapes = predict_preview(design_);
-    std::vector<PicturePart> picture;
+    PreviewParts parts;
     for (std::size_t s = 0; s < design_.segments.size(); ++s) {
       const SolidOptions options = preview_options(design_, s, start_z_mm_[s], shapes);
-      const Segment& segment = design_.segments[s];
-      if (segment.lattice) {
-        preview_part(s, false, lattice_solid(segment, options), shapes, picture);
-      }
-      preview_part(s, true, liner_solid(segment, options), shapes, picture);
+      if (design_.segments[s].lattice) preview_part(s, false, options, shapes, parts);
+      preview_part(s, true, options, shapes, parts);
     }
     const std::string file = design_.name + "-preview.png";
-    write_png(add_file(file), preview_picture(picture, shapes));
+    write_png(add_file(file), preview_picture(parts.picture, shapes));
     summary_ += fmt::format("{}: {} shapes side by side\n", file, shapes.size());
+    if (writes(MeshFormat::glb)) write_animation(parts.scene);
     note_time("preview, picture");
   }
 
-  void preview_part(std::size_t s, bool is_liner, const Solid& rest,
-                    const std::vector<PreviewShape>& shapes, std::vector<PicturePart>& picture) {
+  // All parts of a preview, for its picture and its animation.
+  struct PreviewParts {
+    std::vector<PicturePart> picture;
+    Scene scene;
+  };
+
+  void write_animation(const Scene& scene) {
+    const std::string file = design_.name + "-preview.glb";
+    write_glb(add_file(file), scene);
+    summary_ += fmt::format("{}: all of them, as an animation from rest\n", file);
+  }
+
+  bool writes(MeshFormat format) const {
+    const std::vector<MeshFormat>& formats = design_.output.formats;
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+  }
+
+  void preview_part(std::size_t s, bool is_liner, const SolidOptions& options,
+                    const std::vector<PreviewShape>& shapes, PreviewParts& parts) {
+    const Segment& segment = design_.segments[s];
+    const Solid rest = is_liner ? liner_solid(segment, options) : lattice_solid(segment, options);
+    const std::string kind = is_liner ? "liner" : "lattice";
+    StrainColours colours;
+    if (writes(MeshFormat::ply)) {
+      colours = strain_colours(segment, s, is_liner, rest.mesh, options, shapes);
+      summary_ += fmt::format("{}: colours in PLY from strain {:g} to {:g}\n",
+                              part_name(s, "preview-" + kind), colours.ramp.low, colours.ramp.high);
+    }
+    SceneBody body{part_name(s, kind), rest.mesh,
+                   is_liner ? preview_liner_colour : preview_lattice_colour};
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-      const Part part{part_name(s, fmt::format("preview-{}-{}", shapes[i].label,
-                                               is_liner ? "liner" : "lattice")),
-                      "", s};
+      Part part{part_name(s, fmt::format("preview-{}-{}", shapes[i].label, kind)), "", s};
+      if (!colours.of_shape.empty()) part.colours = colours.of_shape[i];
       progress_.begin(part.stem);
       Solid moved{moved_mesh(rest.mesh, shapes[i].shape, s), 0, 0, rest.pieces, rest.genus};
       moved.error = moved_error(rest, moved.mesh, shapes[i].shape, s);
       if (shapes[i].shape.bend_rad(s) == 0) keep_volume(rest, moved);
       deliver(part, moved);
-      picture.push_back({std::move(moved.mesh), i, is_liner});
+      body.targets.push_back({shapes[i].label, moved.mesh.vertices});
+      parts.picture.push_back({std::move(moved.mesh), i, is_liner});
     }
+    parts.scene.bodies.push_back(std::move(body));
+    parts.scene.animated = true;
   }
 
   // The wall is incompressible; bending alone makes one side larger and the other smaller.
@@ -233,7 +279,11 @@ class Builder {
       const std::string file = part.stem + std::string(extension(format));
       const std::filesystem::path path = staging_.add(file);
       progress_.begin("writing " + file);
-      write_mesh(path, solid.mesh, format);
+      if (format == MeshFormat::ply && !part.colours.empty()) {
+        write_ply(path, solid.mesh, part.colours);
+      } else {
+        write_mesh(path, solid.mesh, format);
+      }
       progress_.begin("proving " + file);
       result = audit(weld(read_mesh(path)));
       prove(file, solid, result);
@@ -311,6 +361,7 @@ class Builder {
 #if LATTICAST_HAS_PREDICT
   ReportData report_;
 #endif
+  std::vector<NamedMesh> together_;
   std::vector<double> start_z_mm_;
   std::string summary_;
   int ready_ = 0;

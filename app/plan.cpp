@@ -184,7 +184,7 @@ Plan plan_build(const Design& design, const std::vector<std::string>& only) {
   return plan;
 }
 
-std::vector<std::string> unavailable([[maybe_unused]] const Plan& plan, const Design& design) {
+std::vector<std::string> unavailable([[maybe_unused]] const Plan& plan) {
   std::vector<std::string> missing;
 #if !LATTICAST_HAS_MOLDS
   if (plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold)) {
@@ -193,13 +193,6 @@ std::vector<std::string> unavailable([[maybe_unused]] const Plan& plan, const De
         "out with --only");
   }
 #endif
-  for (const MeshFormat format : design.output.formats) {
-    if (format == MeshFormat::stl || format == MeshFormat::obj) continue;
-    missing.emplace_back(
-        "[export] formats: this version writes stl and obj; 3mf, ply and glb cannot be "
-        "written yet: take them out of the list");
-    break;
-  }
 #if !LATTICAST_HAS_PREDICT
   if (plan.runs(Stage::preview) || plan.runs(Stage::report)) {
     missing.emplace_back(

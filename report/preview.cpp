@@ -5,10 +5,13 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+
+#include "model/strand_strain.h"
 
 namespace latticast {
 namespace {
@@ -168,6 +171,34 @@ SolidError moved_error(const Solid& rest, const TriangleMesh& moved, const Shape
       shape.largest_stretch(segment) * rest.error.surface_mm + worst_inside_triangle * worst;
   error.volume_mm3 = error.surface_mm * area_mm2(moved);
   return error;
+}
+
+StrainColours strain_colours(const Segment& segment, std::size_t number, bool is_liner,
+                             const TriangleMesh& rest, const SolidOptions& options,
+                             const std::vector<PreviewShape>& shapes) {
+  const double start = options.start_z_mm;
+  std::optional<StrandField> field;
+  if (!is_liner) field = strand_field(segment, rest, start, options.tolerance_mm);
+  std::vector<std::vector<double>> strains;
+  double least = 0;
+  double largest = 0;
+  for (const PreviewShape& at : shapes) {
+    const State& state = at.states[number];
+    strains.push_back(is_liner ? liner_strains(segment, rest, start, options.tolerance_mm, state)
+                               : strand_strains(*field, state));
+    const auto [low, high] = std::minmax_element(strains.back().begin(), strains.back().end());
+    least = std::min(least, *low);
+    largest = std::max(largest, *high);
+  }
+  StrainColours found{{}, strain_ramp(least, largest)};
+  for (const std::vector<double>& of_shape : strains) {
+    std::vector<Colour>& colours = found.of_shape.emplace_back();
+    for (const double strain : of_shape) {
+      const ByteColour bytes = colour_of(found.ramp, strain);
+      colours.push_back({bytes[0] / 255.0, bytes[1] / 255.0, bytes[2] / 255.0});
+    }
+  }
+  return found;
 }
 
 Image preview_picture(const std::vector<PicturePart>& parts,

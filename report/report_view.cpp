@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double finest_mm = 0.05;
 constexpr double coarsest_mm = 1;
-constexpr std::size_t most_vertices = 100000;  // in all states together
+constexpr std::size_t most_vertices = 150000;  // in all states together
 constexpr int fewest_steps = 4;
 constexpr int most_steps = 24;
 constexpr double step_rad = 15 * std::numbers::pi / 180;  // a chord of it is 0.9 % short
@@ -195,7 +195,8 @@ ReportView make_view(const Design& design, const ReportCurves* curves) {
   }
   const double wanted = std::max(finest_mm, design.output.tolerance_mm);
   ReportView view;
-  for (view.tolerance_mm = wanted;; view.tolerance_mm *= 2) {
+  for (view.tolerance_mm = wanted;;
+       view.tolerance_mm *= size_of(view) > 3 * most_vertices ? 4 : 2) {
     view.segments.clear();
     for (std::size_t s = 0; s < design.segments.size(); ++s) {
       view.segments.push_back(make_segment(design, s, states[s], view.tolerance_mm));

@@ -41,6 +41,23 @@ expect 0 "$program" build idle.toml -o idle --only report
 holds grep -q '"prediction": null' idle/twisting-36-report.json
 holds test ! -e idle/twisting-36-response.csv
 
+# Every format; a preview in colours, and as an animation; the parts together.
+sed 's/^formats = .*/formats = ["stl", "obj", "3mf", "ply", "glb"]/; s/pressures = \[0, 20, 40\]/pressures = [0, 40]/' design.toml >formats.toml
+expect 0 "$program" build formats.toml -o formats --only lattice,liner,preview
+for ending in stl obj 3mf ply glb; do
+  says "twisting-36-lattice.$ending: closed, 1 piece, genus 57, 7174.51 mm3, 11870 triangles"
+  says "twisting-36-preview-40kPa-liner.$ending: closed, 1 piece, genus 1"
+done
+says "twisting-36-preview.glb"
+says "twisting-36-preview-lattice: colours in PLY from strain"
+holds grep -aq '"inflate"' formats/twisting-36-preview.glb
+holds grep -aq 'property uchar red' formats/twisting-36-preview-40kPa-lattice.ply
+holds test "$(head -c 400 formats/twisting-36-lattice.ply | grep -ac 'uchar red')" -eq 0
+says "twisting-36.3mf: 2 parts"
+expect 0 "$program" audit formats/*-lattice.* formats/*-liner.*
+expect 1 "$program" audit formats/twisting-36.3mf
+says "self-intersection"
+
 # Progress is drawn on a terminal: it never falls, and ends at 100.
 script -qec "$program build design.toml -o drawn --only lattice,liner,report" drawn.txt </dev/null >/dev/null
 percents=$(grep -aoE '\[ *[0-9]+ %\]' drawn.txt | tr -dc '0-9\n')

@@ -115,9 +115,6 @@ err_says "the lattice cannot be drawn"
 err_says "segment[0].lattice.grid[0]"
 err_says "radius"
 holds test ! -e bad
-sed 's/"stl", "obj"/"glb"/' "$design" >glb.toml
-expect 2 "$program" build glb.toml -o bad
-err_says "glb"
 sed 's/pressures = \[10\]/pressures = [10, [5, 10], 10]/' chain.toml >apart.toml
 expect 0 "$program" build apart.toml -o apart --only preview
 says "twisting-36-segment-2-preview-5_10kPa-liner.stl: closed, 1 piece"
