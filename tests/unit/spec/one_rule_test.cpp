@@ -237,7 +237,7 @@ const BadDesign of_settings[] = {
     {"LinerEndsUnknown", "\"closed\"", "\"close\"", "make.liner_mold.ends", "\"flanged\"",
      "did you mean closed"},
     {"ClosedLinerTooShort", "length = 20", "length = 3", "make.liner_mold.ends",
-     "3 mm is not more than 3 mm", "longer segment", 24},
+     "3 mm is not more than 3 mm", "longer segment", 25},
     {"FlangesWithoutALattice", "\"closed\"", "\"flanged\"", "make.liner_mold.ends",
      "on every segment", "segment.lattice"},
     {"KeyedWithoutALattice", "keyed = false", "keyed = true", "make.liner_mold.keyed",
