@@ -28,7 +28,7 @@ struct Tally {
   double largest_difference = 0;  // of areas, as a part of what is allowed
 };
 
-// At this tolerance arcs and fillets have as many chords as those of the solid.
+// At this tolerance arcs and fillets have about as many chords as those of the solid.
 double matching_tolerance_mm(const Segment& segment, double tolerance_mm) {
   return 0.5 * tolerance_mm * segment.lattice_mid_radius_mm() / segment.outer_radius_mm();
 }

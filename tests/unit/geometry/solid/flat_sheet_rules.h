@@ -165,7 +165,8 @@ inline Region flat_region(const Segment& segment, const FlatSheet& sheet, double
   const Lattice& lattice = *segment.lattice;
   const bool arcs = std::any_of(lattice.grids.begin(), lattice.grids.end(),
                                 [](const Grid& grid) { return grid.horseshoe.has_value(); });
-  const double flatness = arcs && lattice.fillet_mm > 0 ? 0.5 * tolerance_mm : tolerance_mm;
+  const double share = lattice.fillet_mm == 0 ? 0.95 : arcs ? 0.44 : 0.88;
+  const double flatness = share * tolerance_mm;
   Pattern pattern = draw_lattice(segment, flatness);
   if (lattice.fillet_mm > 0) pattern = with_fillets(pattern, lattice.fillet_mm, flatness);
   return unite(std::move(pattern), grid_of(sheet), {}, tolerance_mm);

@@ -116,6 +116,9 @@ TEST(FlatSheet, HoldsArcsAndFilletsWithinTheTolerance) {
       segment.lattice->fillet_mm = fillet;
       const FlatSheet sheet = flat_sheet(segment, 0.01);
       ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(segment, sheet, 0.01));
+      // And 1.5 steps of the grid along either axis.
+      EXPECT_LE(sheet.error.distance_mm, 0.01 + 1e-4);
+      EXPECT_GE(sheet.error.distance_mm, 0.005);
     }
   }
 }
