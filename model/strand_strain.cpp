@@ -29,6 +29,14 @@ struct Family {
   std::vector<int> shape;  // of each strand
 };
 
+// All that a segment's strands are found by.
+struct Strands {
+  std::vector<Family> families;
+  std::vector<double> ring_centres_mm;
+  double ring_width_mm = 0;
+  double mid_radius_mm = 0;
+};
+
 // A strand and how far outside its outline a place lies; inside: negative.
 struct Nearness {
   double outside_mm = HUGE_VAL;
@@ -114,6 +122,36 @@ Nearness nearest_ring(const std::vector<double>& centres, double width_mm, const
   return nearest;
 }
 
+Strands strands_of(const Segment& segment, std::vector<HorseshoeShape>& shapes) {
+  const Lattice& lattice = *segment.lattice;
+  Strands strands;
+  strands.mid_radius_mm = segment.lattice_mid_radius_mm();
+  strands.families.reserve(lattice.grids.size());
+  for (int i = 0; i < static_cast<int>(lattice.grids.size()); ++i) {
+    strands.families.push_back(family_of(segment, i, shapes));
+  }
+  if (!lattice.rings) return strands;
+  strands.ring_centres_mm = ring_centres_mm(*lattice.rings, segment.length_mm);
+  strands.ring_width_mm = lattice.rings->width_mm;
+  return strands;
+}
+
+// Those that hold the point, or else the nearest.
+void add_members(const Strands& strands, const WallPoint& point, double tolerance_mm,
+                 std::vector<StrandMember>& members) {
+  const std::size_t before = members.size();
+  Nearness nearest;
+  const auto meet = [&](const Nearness& strand) {
+    if (strand.outside_mm <= tolerance_mm) members.push_back(strand.member);
+    if (strand.outside_mm < nearest.outside_mm) nearest = strand;
+  };
+  meet(nearest_ring(strands.ring_centres_mm, strands.ring_width_mm, point));
+  for (const Family& family : strands.families) {
+    meet(nearest_strand(family, strands.mid_radius_mm, point));
+  }
+  if (members.size() == before) members.push_back(nearest.member);
+}
+
 // Corners of flat columns stand a little out of the faces that they stand for.
 WallPoint wall_point(const Point& p, double floor_mm, double ceiling_mm, double start_z_mm,
                      double tolerance_mm) {
@@ -195,32 +233,14 @@ StrandField strand_field(const Segment& segment, const TriangleMesh& rest, doubl
                          double tolerance_mm) {
   StrandField field;
   field.segment = segment;
-  const Lattice& lattice = *segment.lattice;
-  std::vector<Family> families;
-  for (int i = 0; i < static_cast<int>(lattice.grids.size()); ++i) {
-    families.push_back(family_of(segment, i, field.shapes));
-  }
-  std::vector<double> centres;
-  if (lattice.rings) centres = ring_centres_mm(*lattice.rings, segment.length_mm);
-  const double mid_radius = segment.lattice_mid_radius_mm();
+  const Strands strands = strands_of(segment, field.shapes);
+  field.points.reserve(rest.vertices.size());
+  field.first.reserve(rest.vertices.size() + 1);
   field.first.push_back(0);
-  std::vector<Nearness> near(families.size() + 1);
   for (const Point& p : rest.vertices) {
-    const WallPoint point = wall_point(p, segment.liner_outer_radius_mm(),
-                                       segment.outer_radius_mm(), start_z_mm, tolerance_mm);
-    near.back() = nearest_ring(centres, lattice.rings ? lattice.rings->width_mm : 0, point);
-    for (std::size_t i = 0; i < families.size(); ++i) {
-      near[i] = nearest_strand(families[i], mid_radius, point);
-    }
-    double limit = tolerance_mm;
-    const auto nearest = std::min_element(
-        near.begin(), near.end(),
-        [](const Nearness& a, const Nearness& b) { return a.outside_mm < b.outside_mm; });
-    limit = std::max(limit, nearest->outside_mm);
-    for (const Nearness& strand : near) {
-      if (strand.outside_mm <= limit) field.members.push_back(strand.member);
-    }
-    field.points.push_back(point);
+    field.points.push_back(wall_point(p, segment.liner_outer_radius_mm(), segment.outer_radius_mm(),
+                                      start_z_mm, tolerance_mm));
+    add_members(strands, field.points.back(), tolerance_mm, field.members);
     field.first.push_back(static_cast<std::uint32_t>(field.members.size()));
   }
   return field;

@@ -17,6 +17,8 @@ namespace {
 constexpr int few_columns = 4;  // columns only cut outlines; a quarter of the way around is exact
 constexpr double fewest_steps_across = 16;
 constexpr int most_slit_rounds = 16;
+constexpr double arc_share = 0.95;     // chords may be off by 1.05 of the flatness asked for,
+constexpr double fillet_share = 0.88;  // those of fillets by 1.12
 
 // A grid point of the slit sheet, u counted from the slit all the way across.
 struct SheetPoint {
@@ -51,7 +53,8 @@ bool has_horseshoes(const Lattice& lattice) {
 
 // A fillet leans on chords of arcs, and adds its own.
 double flatness_of(const Lattice& lattice, double tolerance_mm) {
-  return lattice.fillet_mm > 0 && has_horseshoes(lattice) ? 0.5 * tolerance_mm : tolerance_mm;
+  if (lattice.fillet_mm == 0) return arc_share * tolerance_mm;
+  return fillet_share * (has_horseshoes(lattice) ? 0.5 : 1) * tolerance_mm;
 }
 
 void check_widths(const Lattice& lattice, const PlaneGrid& grid) {

@@ -48,7 +48,8 @@ double largest_of(const std::vector<double>& strains) {
   return *std::max_element(strains.begin(), strains.end());
 }
 
-// A vertex lies beside its straight strand's line by half of the width at most, where bending differs.
+// A vertex lies beside its straight strand's line by half of the width at most, where bending
+// differs.
 double beside_line(const Segment& segment, const State& state) {
   double bound = 0;
   for (const Grid& grid : segment.lattice->grids) {
