@@ -2,7 +2,7 @@
 // The chain as a whole: where its tip comes to, and its centre line, in three views.
 "use strict";
 
-const PLANE = { width: 340, height: 340, margin: 44 };
+const PLANE = { width: 340, height: 354, margin: 44 };
 const PLANES = [["x", "z", 0, 2], ["y", "z", 1, 2], ["x", "y", 0, 1]];
 
 /** @param {Object[]} cases @returns {number[][]} tips that exist */
