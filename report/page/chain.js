@@ -64,7 +64,7 @@ function present_case(cases, pressures) {
 
 /** @param {Object[]} cases @returns {HTMLElement} shut when there are more than a few */
 function case_table(cases) {
-  const table = table_of("Load cases", [
+  const make = () => table_of("Load cases", [
     { head: "Pressures", unit: "kPa", cell: (c) => list(c.pressures_kPa).map(given).join(" / ") },
     ...["x", "y", "z"].map((axis, i) => ({ head: `Tip ${axis}`, unit: "mm", number: true, cell: (c) => measured(list(c.tip_mm)[i]) })),
     { head: "Tilt", unit: "°", number: true, cell: (c) => measured(c.tilt_deg) },
@@ -72,7 +72,7 @@ function case_table(cases) {
     { head: "Length", unit: "mm", number: true, cell: (c) => measured(c.length_mm) },
     { head: "State", cell: (c) => (c.exists === false ? "does not exist" : c.stable === false ? "unstable" : "stable") },
   ], cases);
-  return h("details", { open: cases.length <= 6 }, h("summary", {}, `Table of ${counted(cases.length, "load case")}`), table);
+  return made_when_opened(`Table of ${counted(cases.length, "load case")}`, make, cases.length <= 6);
 }
 
 /** @param {Object} report @param {Actuator} actuator @param {PresentPressures} present */

@@ -3,10 +3,10 @@
 // LATTICAST_NODE_MODULES names the folder of the packages, CHROMIUM the browser (Debian's by default).
 
 import { createRequire } from "node:module";
-import { join } from "node:path";
+import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 
-const require = createRequire(join(process.env.LATTICAST_NODE_MODULES ?? "node_modules", "here"));
+const require = createRequire(join(resolve(process.env.LATTICAST_NODE_MODULES ?? "node_modules"), "here"));
 const SOFTWARE_GL = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 const NO_GL = ["--disable-gpu", "--disable-3d-apis"];
 

@@ -76,6 +76,7 @@ function weak_texts() {
 
 export async function check_contrast(page) {
   await page.$$eval("details", (all) => all.forEach((one) => { one.open = true; }));
+  await page.waitForFunction(() => [...document.querySelectorAll("details")].every((one) => one.children.length > 1));
   assert.deepEqual(await page.evaluate(weak_texts), [], "contrast");
   await page.$$eval("details", (all) => all.forEach((one) => { one.open = false; }));
 }

@@ -89,7 +89,6 @@ async function check_without_view(browser, file, data, what, message) {
     pages.check_silence(opened, pathToFileURL(file).href);
     return moves(data) ? views.check_sliders(opened.page, data) : "";
   });
-  await check(`${what}, accessibility`, () => pages.check_accessibility(opened.page));
   await opened.page.close();
 }
 
