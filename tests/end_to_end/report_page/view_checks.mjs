@@ -131,6 +131,7 @@ export async function check_findings(page, data) {
   const [box, stage] = [await pin.boundingBox(), await page.locator(".stage").boundingBox()];
   assert.ok(Math.abs(box.x + 12 - stage.x - stage.width / 2) < 3 && Math.abs(box.y + 12 - stage.y - stage.height / 2) < 3, "the pin is not in the middle");
   await page.getByRole("button", { name: "Fit", exact: true }).click();
+  await settle(page);
   const other = placed.at(-1);
   await page.locator(`.pin[data-finding="${other}"]`).focus();
   await page.keyboard.press("Enter");
