@@ -39,7 +39,8 @@ execute_process(
   WORKING_DIRECTORY "${WORK}" TIMEOUT 300
   RESULT_VARIABLE STATUS OUTPUT_QUIET ERROR_VARIABLE ERRORS)
 if(NOT STATUS EQUAL 0)
-  leave_out("npm ci failed (${STATUS}); configure again to retry.\n${ERRORS}")
+  string(REGEX MATCH "[^\n]*" FIRST_ERROR "${ERRORS}")
+  leave_out("npm ci failed (${STATUS}: ${FIRST_ERROR}). Configure again to retry.")
   return()
 endif()
 # three.js names its licence in one line; the licence itself asks for all of its text.

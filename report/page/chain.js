@@ -2,7 +2,7 @@
 // The chain as a whole: where its tip comes to, and its centre line, in three views.
 "use strict";
 
-const PLANE = { width: 340, height: 340, margin: 44 };
+const PLANE = { width: 340, height: 354, margin: 44 };
 const PLANES = [["x", "z", 0, 2], ["y", "z", 1, 2], ["x", "y", 0, 1]];
 
 /** @param {Object[]} cases @returns {number[][]} tips that exist */
@@ -64,7 +64,7 @@ function present_case(cases, pressures) {
 
 /** @param {Object[]} cases @returns {HTMLElement} shut when there are more than a few */
 function case_table(cases) {
-  const table = table_of("Load cases", [
+  const make = () => table_of("Load cases", [
     { head: "Pressures", unit: "kPa", cell: (c) => list(c.pressures_kPa).map(given).join(" / ") },
     ...["x", "y", "z"].map((axis, i) => ({ head: `Tip ${axis}`, unit: "mm", number: true, cell: (c) => measured(list(c.tip_mm)[i]) })),
     { head: "Tilt", unit: "°", number: true, cell: (c) => measured(c.tilt_deg) },
@@ -72,7 +72,7 @@ function case_table(cases) {
     { head: "Length", unit: "mm", number: true, cell: (c) => measured(c.length_mm) },
     { head: "State", cell: (c) => (c.exists === false ? "does not exist" : c.stable === false ? "unstable" : "stable") },
   ], cases);
-  return h("details", { open: cases.length <= 6 }, h("summary", {}, `Table of ${counted(cases.length, "load case")}`), table);
+  return made_when_opened(`Table of ${counted(cases.length, "load case")}`, make, cases.length <= 6);
 }
 
 /** @param {Object} report @param {Actuator} actuator @param {PresentPressures} present */

@@ -93,7 +93,7 @@ function sliders_for(segments, present) {
     if (same) common.show(asked);
     else common.differ();
   });
-  return [common.element, ...own];
+  return [common.element, h("div", { class: own.length > 4 ? "sliders many" : "sliders" }, own)];
 }
 
 /** @param {Object[]} cases of the view @returns {HTMLElement|null} a choice that sets all sliders */

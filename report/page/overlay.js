@@ -2,6 +2,9 @@
 // What lies over the 3-D picture: axes, scale bar, centre line, tip and the pins of findings.
 "use strict";
 
+/** More of them are drawn small, lest they hide the actuator. */
+const MANY_PINS = 24;
+
 /** @param {number} most @returns {number} the largest of 1, 2, 5, 10, ... that is not larger */
 function pleasant_length(most) {
   const power = 10 ** Math.floor(Math.log10(most));
@@ -25,7 +28,8 @@ function scale_bar(viewer, width, height) {
   const pixels = mm / viewer.mm_per_pixel();
   const [x, y] = [width - 20 - pixels, height - 22];
   return [svg("path", { class: "scale", d: `M${x} ${y - 5}v5h${pixels}v-5` }),
-    svg("text", { class: "scale-text", x: x + pixels / 2, y: y - 10 }, `${given(mm)} mm`)];
+    svg("text", { class: "scale-text", x: x + pixels / 2, y: y - 10 }, `${given(mm)} mm`),
+    svg("text", { class: "grid-text", x: x - 16, y }, `grid ${given(viewer.grid_mm)} mm`)];
 }
 
 /** @param {number[][]} points_mm @returns {SVGElement[]} the centre line and its tip */
@@ -58,7 +62,7 @@ function finding_pins(markers, findings, on_choose) {
       "aria-label": `Finding ${marker.finding + 1}, ${finding.severity ?? "note"}: ${finding.message ?? ""}`,
       title: finding.message ?? "", onclick: () => on_choose(marker.finding) }, String(marker.finding + 1));
   });
-  const element = h("div", { class: "pins" }, pins);
+  const element = h("div", { class: pins.length > MANY_PINS ? "pins many" : "pins" }, pins);
   /** @param {function(Object): number[]} place_of where a marker is now */
   const draw = (viewer, place_of) => pins.forEach((pin, i) => {
     const seen = viewer.project(place_of(markers[i]));

@@ -47,17 +47,16 @@ function chart_legend(segment) {
     key("reading", "present pressure"));
 }
 
-/** @returns {HTMLElement} all points of a segment's curve, shut at first */
+/** @returns {HTMLElement} all points of a segment's curve */
 function number_details(segment, quantities, label) {
-  return h("details", {}, h("summary", {}, `Table of numbers, ${label}`),
-    table_of(`Computed points, ${label}`, [
-      { head: "Pressure", unit: "kPa", number: true, cell: (p) => given(p.pressure_kPa) },
-      ...quantities.map(({ key, name, unit }) => ({ head: name, unit, number: true, cell: (p) => measured(p[key]) })),
-      { head: "Length", unit: "mm", number: true, cell: (p) => measured(p.length_mm) },
-      { head: "Inner radius", unit: "mm", number: true, cell: (p) => measured(p.inner_radius_mm) },
-      { head: "Asked", cell: (p) => (p.asked ? "asked" : "") },
-      { head: "State", cell: (p) => (p.stable === false ? "unstable" : "stable") },
-    ], segment.curve, (point) => ({ class: point.asked ? "asked-line" : null })));
+  return made_when_opened(`Table of numbers, ${label}`, () => table_of(`Computed points, ${label}`, [
+    { head: "Pressure", unit: "kPa", number: true, cell: (p) => given(p.pressure_kPa) },
+    ...quantities.map(({ key, name, unit }) => ({ head: name, unit, number: true, cell: (p) => measured(p[key]) })),
+    { head: "Length", unit: "mm", number: true, cell: (p) => measured(p.length_mm) },
+    { head: "Inner radius", unit: "mm", number: true, cell: (p) => measured(p.inner_radius_mm) },
+    { head: "Asked", cell: (p) => (p.asked ? "asked" : "") },
+    { head: "State", cell: (p) => (p.stable === false ? "unstable" : "stable") },
+  ], segment.curve, (point) => ({ class: point.asked ? "asked-line" : null })));
 }
 
 /** @returns {string[]} sentences about what the charts cannot say */

@@ -54,3 +54,17 @@ function property_table(caption, heads, lines, items) {
       h("th", { scope: "row" }, name, unit ? h("span", { class: "unit" }, ` ${unit}`) : null),
       values.map((value) => h("td", { class: "number" }, value ?? MISSING)))))));
 }
+
+/**
+ * A part that is shut at first, and made when it is opened: thousands of lines would delay the page.
+ * @param {string} summary
+ * @param {function(): Node} make
+ * @param {boolean} open from the beginning
+ */
+function made_when_opened(summary, make, open = false) {
+  const details = h("details", { open }, h("summary", {}, summary), open ? make() : null);
+  details.addEventListener("toggle", () => {
+    if (details.open && details.children.length === 1) details.append(make());
+  });
+  return details;
+}

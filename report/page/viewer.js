@@ -89,7 +89,7 @@ function create_viewer({ canvas, bodies, colours, room, on_drawn }) {
     /** To be called when the canvas has another size. It draws at once, lest the picture flickers. */
     resize: () => { set_size(); draw(); },
     fit: eye.fit, look_from: eye.look_from, turn: eye.turn, zoom: eye.zoom, look_at: eye.look_at,
-    mm_per_pixel: eye.mm_per_pixel, axis_on_screen: eye.axis_on_screen,
+    grid_mm: world.grid_mm, mm_per_pixel: eye.mm_per_pixel, axis_on_screen: eye.axis_on_screen,
     set_poses: (poses) => { world.set_poses(poses); request(); },
     set_visible: (role, visible) => { world.set_visible(role, visible); request(); },
     set_translucent: (role, translucent) => { world.set_translucent(role, translucent); request(); },

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the 3-D view shows: bodies, a grid of 10 mm under them, and light that comes with the eye.
+// What the 3-D view shows: bodies, a grid under them, and light that comes with the eye.
 
 import { BufferAttribute, BufferGeometry, DirectionalLight, DoubleSide, FrontSide, GridHelper, HemisphereLight, Matrix4, Mesh,
   MeshLambertMaterial, Plane, Quaternion, Scene, Vector3, WebGLRenderer } from "three";
@@ -21,11 +21,21 @@ function mesh_of(body, material) {
   return mesh;
 }
 
-/** @param {{min: number[], max: number[]}} room @returns {GridHelper} lines every 10 mm at z = 0 */
+/** @param {{min: number[], max: number[]}} room @returns {number} a distance of lines that gives some twenty, mm */
+function grid_step(room) {
+  return [10, 20, 50, 100, 200, 500].find((step) => reach_of(room) < 12 * step) ?? 1000;
+}
+
+/** @returns {number} how far the room goes from the axis */
+function reach_of({ min, max }) {
+  return Math.max(...[min, max].flatMap((corner) => corner.slice(0, 2)).map(Math.abs));
+}
+
+/** @returns {GridHelper} lines at z = 0 */
 function grid_under(room, colour) {
-  const reach = Math.max(...room.min.slice(0, 2).map(Math.abs), ...room.max.slice(0, 2).map(Math.abs));
-  const half = 10 * (Math.ceil(reach / 10) + 2);
-  const grid = new GridHelper(2 * half, half / 5, colour, colour);
+  const step = grid_step(room);
+  const cells = Math.ceil(reach_of(room) / step) + 2;
+  const grid = new GridHelper(2 * cells * step, 2 * cells, colour, colour);
   grid.rotation.x = Math.PI / 2;
   grid.material.transparent = true;
   grid.material.opacity = 0.5;
@@ -55,7 +65,7 @@ export function create_scene({ canvas, context, bodies, colours, room }) {
   const front = new Plane(new Vector3(0, 1, 0), 0);
 
   return {
-    renderer, scene,
+    renderer, scene, grid_mm: grid_step(room),
     set_poses(poses) {
       meshes.forEach((mesh, i) => {
         const { origin_mm, quaternion } = poses[bodies[i].segment].base;

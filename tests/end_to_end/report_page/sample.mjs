@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// sample.mjs FOLDER [--hostile]: the parts of a report (report.json, view.json, model.glb) of a chain that was
-// made up: two segments, one that twists and one that bends. Hostile texts try to leave their place.
+// sample.mjs FOLDER [--hostile | --bare | --large]: the parts of a report (report.json, view.json, model.glb) of a
+// chain that was made up: two segments, one that twists and one that bends.
+//   --hostile  texts that try to leave their place
+//   --bare     nothing that can be left out: no load, no lattice, no meshes, empty lists and nulls
+//   --large    12 segments, 2000 load cases, 60 findings
 
 import { mkdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
@@ -118,11 +121,54 @@ function sample_view(text) {
     note: `Meshes of this view are coarser than the written ones. ${text}` };
 }
 
+/** The least that a report can hold: every list is empty, every value that may be missing is null. */
+function bare_report() {
+  return { schema: "latticast-report", schema_version: 1, program_version: "0.1.0", name: "bare",
+    design: { segments: [{ ...design_segment(1), lattice: null }], model: null, tolerance_mm: null }, materials: [], plan: [], prediction: null,
+    checks: { errors: 0, warnings: 0, notes: 0, findings: [] }, pieces: [], files: [] };
+}
+
+/** As much as a design can ask for. */
+function large_report() {
+  const report = sample_report("");
+  const numbers = Array.from({ length: 12 }, (_, i) => i + 1);
+  const like = (number) => 1 + (number - 1) % 2;
+  report.design.segments = numbers.map((number) => ({ ...design_segment(like(number)), number }));
+  report.prediction.segments = numbers.map((number) => ({ ...prediction_segment(like(number)), segment: number }));
+  report.prediction.chain.cases = Array.from({ length: 2000 }, (_, i) => ({
+    ...chain_case([(i % 40) + 1, Math.floor(i / 50)]), pressures_kPa: numbers.map((number) => (i * number) % 41), centre_line_mm: null }));
+  report.checks.findings = Array.from({ length: 60 }, (_, i) => report.checks.findings[i % 3]);
+  return report;
+}
+
+function large_view() {
+  const numbers = Array.from({ length: 12 }, (_, i) => i + 1);
+  const view = sample_view("");
+  return { ...view, segments: numbers.map((number) => ({ ...segment_view(1 + (number - 1) % 2), number, bodies: [{ node: `segment-${number}-lattice`, role: "lattice" }] })),
+    markers: Array.from({ length: 60 }, (_, i) => marker(i, 1 + i % 2, [OUTER_MM, i, 30])),
+    cases: Array.from({ length: 2000 }, (_, i) => ({ pressures_kPa: numbers.map((number) => (i * number) % 41) })) };
+}
+
+function sample_bodies() {
+  return [1, 2].flatMap((segment) => [body(`segment-${segment}-lattice`, lattice_shape(), segment), body(`segment-${segment}-liner`, liner_shape(), segment)]);
+}
+
+function large_bodies() {
+  return Array.from({ length: 12 }, (_, i) => body(`segment-${i + 1}-lattice`, lattice_shape(), 1 + i % 2));
+}
+
+/** @returns {[Object, Object, Buffer]} report, view and model */
+function parts_of(kind) {
+  if (kind === "--bare") return [bare_report(), { segments: [], markers: [], cases: [], tolerance_mm: null, note: "" }, Buffer.alloc(0)];
+  if (kind === "--large") return [large_report(), large_view(), glb_of(large_bodies())];
+  const text = kind === "--hostile" ? HOSTILE : "";
+  return [sample_report(text), sample_view(text), glb_of(sample_bodies())];
+}
+
 const [folder, kind] = process.argv.slice(2);
-if (!folder) throw new Error("usage: sample.mjs FOLDER [--hostile]");
-const text = kind === "--hostile" ? HOSTILE : "";
+if (!folder) throw new Error("usage: sample.mjs FOLDER [--hostile | --bare | --large]");
+const [report, view, model] = parts_of(kind);
 mkdirSync(folder, { recursive: true });
-writeFileSync(join(folder, "report.json"), JSON.stringify(sample_report(text)));
-writeFileSync(join(folder, "view.json"), JSON.stringify(sample_view(text)));
-writeFileSync(join(folder, "model.glb"), glb_of([1, 2].flatMap((segment) => [
-  body(`segment-${segment}-lattice`, lattice_shape(), segment), body(`segment-${segment}-liner`, liner_shape(), segment)])));
+writeFileSync(join(folder, "report.json"), JSON.stringify(report));
+writeFileSync(join(folder, "view.json"), JSON.stringify(view));
+writeFileSync(join(folder, "model.glb"), model);
