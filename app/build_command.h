@@ -17,10 +17,13 @@ struct BuildArguments {
   std::filesystem::path folder = ".";
   std::vector<std::string> only;
   bool dry_run = false;
+  bool force = false;  ///< build in spite of what the checks find
+  bool times = false;  ///< write the time of every stage into the report's JSON
 };
 
-/// latticast build: everything that the design's [make] names, each file audited as written. Either
-/// all files appear in the folder or none. Throws FileError, UnsupportedDesign, GeometryError,
+/// latticast build: everything that the design's [make] names, each file audited as written, after
+/// the checks that these parts need; an error among them ends it unless `force` is set. Either all
+/// files appear in the folder or none. Throws FileError, UnsupportedDesign, GeometryError,
 /// NoEquilibrium, Interrupted, std::invalid_argument.
 ExitStatus run_build(const BuildArguments& arguments, const Console& console);
 

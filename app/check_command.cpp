@@ -22,12 +22,6 @@ namespace {
 
 constexpr std::array<std::string_view, 5> mesh_endings = {".stl", ".obj", ".ply", ".3mf", ".glb"};
 
-bool has_error(const CheckFindings& findings) {
-  return std::any_of(findings.begin(), findings.end(), [](const CheckFinding& finding) {
-    return finding.severity == Severity::error;
-  });
-}
-
 bool is_mesh(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {

@@ -27,10 +27,6 @@ std::string place_text(const CheckFinding& finding) {
   return text;
 }
 
-std::string number_of(std::ptrdiff_t count, const char* what) {
-  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 nlohmann::ordered_json to_json(const std::optional<double>& number) {
   return number ? nlohmann::ordered_json(*number) : nlohmann::ordered_json(nullptr);
 }
@@ -52,6 +48,16 @@ nlohmann::ordered_json to_json(const CheckFinding& finding) {
 }
 
 }  // namespace
+
+std::string number_of(std::ptrdiff_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+std::string check_line(const CheckFinding& finding) {
+  std::string text = fmt::format("{}: {}: {}", finding.code, place_text(finding), finding.message);
+  if (!finding.remedy.empty()) text += fmt::format("; remedy: {}", finding.remedy);
+  return text;
+}
 
 std::string check_table(const CheckFindings& findings) {
   std::string text;

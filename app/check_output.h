@@ -2,12 +2,19 @@
 // Findings of checks, for people and for programs.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 #include "checks/check_finding.h"
 
 namespace latticast {
+
+/// "1 error", "2 errors".
+std::string number_of(std::ptrdiff_t count, const char* what);
+
+/// Code, place, sentence and remedy of a finding in one line.
+std::string check_line(const CheckFinding& finding);
 
 /// Errors first, one paragraph a finding: severity and code, place, sentence, remedy; then how many
 /// there are.

@@ -39,9 +39,9 @@ void Console::error(std::string_view line) const {
   fmt::print(stderr, "{}error:{} {}\n", colour_ ? "\033[31m" : "", colour_ ? "\033[0m" : "", line);
 }
 
-void Console::progress(int step, int steps, std::string_view what) const {
+void Console::progress(int percent, std::string_view what) const {
   if (quiet_ || !terminal_) return;
-  fmt::print(stderr, "\r\033[K[{}/{}] {}", step, steps, what);
+  fmt::print(stderr, "\r\033[K[{:3d} %] {}", percent, what);
   std::fflush(stderr);
 }
 

@@ -20,8 +20,8 @@ class Console {
   /// A problem, one line starting with "error: "; always shown.
   void error(std::string_view line) const;
 
-  /// "[2/5] what": redrawn in place, on a terminal only.
-  void progress(int step, int steps, std::string_view what) const;
+  /// "[ 42 %] what": redrawn in place, on a terminal only.
+  void progress(int percent, std::string_view what) const;
 
   /// Clears the progress line.
   void end_progress() const;

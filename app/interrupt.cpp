@@ -22,7 +22,7 @@ void watch_for_interrupt() {
 }
 
 void stop_if_interrupted() {
-  if (interrupted != 0) throw Interrupted();
+  if (interrupted != 0) throw Interrupted("interrupted; nothing was changed");
 }
 
 }  // namespace latticast

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <exception>
+#include <stdexcept>
 
 namespace latticast {
 
-/// Thrown between stages after SIGINT or SIGTERM, so that everything unfinished is cleaned up.
-struct Interrupted : std::exception {
-  const char* what() const noexcept override { return "interrupted; nothing was changed"; }
+/// Thrown between steps after SIGINT or SIGTERM, so that everything unfinished is cleaned up.
+/// what() says what is complete.
+struct Interrupted : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 /// From here on, SIGINT and SIGTERM ask the program to stop at the next stage; a second one ends

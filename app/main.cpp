@@ -29,7 +29,7 @@
 #include "molds/cannot_mold.h"
 #endif
 #if LATTICAST_HAS_PREDICT
-#include "app/preview.h"
+#include "report/preview.h"
 #endif
 #endif
 
@@ -44,6 +44,8 @@ struct CommandLine {
   std::string folder = ".";
   std::vector<std::string> only;
   bool dry_run = false;
+  bool force = false;
+  bool times = false;
   std::string pressure;
   std::string format = "table";
   std::vector<std::string> hold;
@@ -63,8 +65,12 @@ void describe_build(CLI::App& app, CommandLine& typed) {
   CLI::App* build = app.add_subcommand("build", "Make everything that the design's [make] names");
   build->add_option("design", typed.design, "design file")->required();
   build->add_option("-o,--output", typed.folder, "folder for the files; made if missing");
-  build->add_option("--only", typed.only, "parts to make: lattice, liner, preview, molds, report")
+  build
+      ->add_option("--only", typed.only,
+                   "parts to make: lattice, liner, flat-pattern, preview, molds, report")
       ->delimiter(',');
+  build->add_flag("--force", typed.force, "build although the checks find errors");
+  build->add_flag("--times", typed.times, "write the time of every stage into the report's JSON");
   build->add_flag("--dry-run", typed.dry_run, "print what would run, and why the rest would not");
 }
 
@@ -135,7 +141,8 @@ ExitStatus run_command(const CLI::App& app, const CommandLine& typed, const Cons
   if (app.got_subcommand("audit")) {
     return run_audit({typed.mesh_files.begin(), typed.mesh_files.end()}, console);
   }
-  return run_build({typed.design, materials_path(typed), typed.folder, typed.only, typed.dry_run},
+  return run_build({typed.design, materials_path(typed), typed.folder, typed.only, typed.dry_run,
+                    typed.force, typed.times},
                    console);
 #else
   return left_out(console, app.got_subcommand("audit") ? "audit" : "build", "LATTICAST_GEOMETRY",

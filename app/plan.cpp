@@ -16,8 +16,9 @@ struct Part {
   std::string_view key;  // in [make]
 };
 
-constexpr std::array<Part, 6> parts{{{Stage::lattice, "lattice"},
+constexpr std::array<Part, 7> parts{{{Stage::lattice, "lattice"},
                                      {Stage::liner, "liner"},
+                                     {Stage::flat_pattern, "flat_pattern"},
                                      {Stage::preview, "preview"},
                                      {Stage::lattice_mold, "lattice_mold"},
                                      {Stage::liner_mold, "liner_mold"},
@@ -29,6 +30,8 @@ bool asked(const Make& make, Stage part) {
       return make.lattice;
     case Stage::liner:
       return make.liner;
+    case Stage::flat_pattern:
+      return make.flat_pattern;
     case Stage::preview:
       return make.preview.has_value();
     case Stage::lattice_mold:
@@ -48,9 +51,8 @@ std::vector<Stage> parts_named(const std::string& word) {
     if (name(part.stage) == word || part.key == word) return {part.stage};
   }
   throw std::invalid_argument(
-      fmt::format("--only {}: no such part; parts are lattice, liner, preview, lattice-mold, "
-                  "liner-mold, molds, "
-                  "report",
+      fmt::format("--only {}: no such part; parts are lattice, liner, flat-pattern, preview, "
+                  "lattice-mold, liner-mold, molds, report",
                   word));
 }
 
@@ -106,16 +108,19 @@ PlannedStage plan_part(const Design& design, Stage stage, const std::vector<Stag
   if (narrowed && std::find(chosen.begin(), chosen.end(), stage) == chosen.end()) {
     return {stage, false, "left out by --only"};
   }
-  const bool needs_lattice = stage == Stage::lattice || stage == Stage::lattice_mold;
+  const bool needs_lattice =
+      stage == Stage::lattice || stage == Stage::flat_pattern || stage == Stage::lattice_mold;
   if (needs_lattice && !has_lattice(design)) {
     return {stage, false, "no segment has a lattice"};
   }
   return {stage, true, fmt::format("[make] names {}", part->key)};
 }
 
-// The stages of the prediction follow from the preview alone: nothing else needs a deformed shape.
+// The stages of the prediction follow from what shows the design under pressure.
 void plan_prediction(const Design& design, Plan& plan) {
-  const bool needed = plan.runs(Stage::preview);
+  const bool shown = plan.runs(Stage::preview);
+  const bool reported = plan.runs(Stage::report) && !design.load.empty();
+  const bool needed = shown || reported;
   const auto add = [&](Stage stage, bool wanted, std::string_view why, std::string_view why_not) {
     const bool runs = needed && wanted;
     plan.stages.push_back({stage, runs,
@@ -123,7 +128,10 @@ void plan_prediction(const Design& design, Plan& plan) {
                                        : needed ? why_not
                                                 : "nothing that is made needs a deformed shape")});
   };
-  add(Stage::prediction, true, "the preview shows the shape under pressure", "");
+  add(Stage::prediction, true,
+      shown ? "the preview shows the shape under pressure"
+            : "the report shows the response to pressure",
+      "");
   add(Stage::horseshoe_law, has_horseshoe(design), "a strand is a horseshoe",
       "no strand is a horseshoe");
   add(Stage::bending, has_uneven_widths(design), "a family of strands is uneven around the tube",
@@ -144,6 +152,8 @@ std::string_view name(Stage stage) {
       return "lattice";
     case Stage::liner:
       return "liner";
+    case Stage::flat_pattern:
+      return "flat-pattern";
     case Stage::preview:
       return "preview";
     case Stage::lattice_mold:
@@ -174,13 +184,8 @@ Plan plan_build(const Design& design, const std::vector<std::string>& only) {
   return plan;
 }
 
-std::vector<std::string> unavailable(const Plan& plan, const Design& /*design*/) {
+std::vector<std::string> unavailable([[maybe_unused]] const Plan& plan) {
   std::vector<std::string> missing;
-  if (plan.runs(Stage::report)) {
-    missing.emplace_back(
-        "[make] asks for the report, which this version cannot make yet: take it out of [make], or "
-        "name the other parts with --only");
-  }
 #if !LATTICAST_HAS_MOLDS
   if (plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold)) {
     missing.emplace_back(
@@ -189,10 +194,10 @@ std::vector<std::string> unavailable(const Plan& plan, const Design& /*design*/)
   }
 #endif
 #if !LATTICAST_HAS_PREDICT
-  if (plan.runs(Stage::prediction)) {
+  if (plan.runs(Stage::preview) || plan.runs(Stage::report)) {
     missing.emplace_back(
-        "this program was built without the prediction that a preview needs: build it "
-        "with -DLATTICAST_PREDICT=ON, or leave the preview out with --only");
+        "this program was built without the prediction that a preview or report needs: build it "
+        "with -DLATTICAST_PREDICT=ON, or leave them out with --only");
   }
 #endif
   return missing;

@@ -15,6 +15,7 @@ enum class Stage {
   bending,
   lattice,
   liner,
+  flat_pattern,
   preview,
   lattice_mold,
   liner_mold,
@@ -44,7 +45,7 @@ Plan plan_build(const Design& design, const std::vector<std::string>& only);
 
 /// What the plan runs that this program cannot do, one sentence each with its remedy; empty when it
 /// can do everything.
-std::vector<std::string> unavailable(const Plan& plan, const Design& design);
+std::vector<std::string> unavailable(const Plan& plan);
 
 /// The plan as text for people, a line a stage.
 std::string describe(const Plan& plan);

@@ -8,10 +8,10 @@
 
 #include "app/chain_output.h"
 #include "app/design_input.h"
-#include "app/prediction.h"
 #include "app/prediction_output.h"
 #include "app/pressure_list.h"
 #include "app/tip_force_output.h"
+#include "model/prediction.h"
 
 namespace latticast {
 namespace {

@@ -13,14 +13,6 @@ namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-double twist_deg(const State& state, const Segment& segment) {
-  return state.twist_rad_per_mm * segment.length_mm * degrees;
-}
-
-double bend_deg(const State& state, const Segment& segment) {
-  return state.bend_magnitude_rad_per_mm() * segment.length_mm * degrees;
-}
-
 double moment_nmm(const State& state) {
   return std::hypot(state.moment_nmm[0], state.moment_nmm[1]);
 }

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/prediction.h"
+#include "model/prediction.h"
 
 namespace latticast {
 

@@ -3,7 +3,7 @@
 
 #include <numbers>
 
-#include "app/prediction.h"
+#include "model/prediction.h"
 #include "model/tip_force.h"
 
 namespace latticast {

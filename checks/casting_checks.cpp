@@ -128,7 +128,8 @@ class MoldChecks {
     const MoldExtent extent = extent_of(plan);
     check_bed("lattice-mold core",
               {2 * plan.shell.cast.floor_mm, 2 * plan.shell.cast.floor_mm, extent.core_length_mm});
-    check_bed("lattice-mold base", {extent.plate_diameter_mm, extent.plate_diameter_mm, 0});
+    check_bed("lattice-mold base",
+              {extent.plate_diameter_mm, extent.plate_diameter_mm, extent.plate_height_mm});
   }
 
   void check_depth() {

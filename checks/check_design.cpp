@@ -16,19 +16,19 @@
 
 namespace latticast {
 
-CheckFindings check_design(const Design& design) {
+CheckFindings check_design(const Design& design, [[maybe_unused]] const CheckScope& scope) {
   CheckFindings findings;
   const auto add = [&](CheckFindings more) {
     std::move(more.begin(), more.end(), std::back_inserter(findings));
   };
 #if LATTICAST_HAS_GEOMETRY
-  add(print_checks(design));
+  if (scope.printing) add(print_checks(design));
 #endif
 #if LATTICAST_HAS_MOLDS
-  add(casting_checks(design));
+  if (scope.casting) add(casting_checks(design));
 #endif
 #if LATTICAST_HAS_PREDICT
-  add(load_checks(design));
+  if (scope.inflating) add(load_checks(design));
 #endif
   return findings;
 }

@@ -7,9 +7,16 @@
 
 namespace latticast {
 
-/// Everything that this build can check: printing with LATTICAST_GEOMETRY, casting with
-/// LATTICAST_MOLDS, inflating with LATTICAST_PREDICT. A design that cannot be drawn, molded or
+/// Which of a design's checks to run.
+struct CheckScope {
+  bool printing = true;
+  bool casting = true;
+  bool inflating = true;
+};
+
+/// Everything in the scope that this build can check: printing with LATTICAST_GEOMETRY, casting
+/// with LATTICAST_MOLDS, inflating with LATTICAST_PREDICT. A design that cannot be drawn, molded or
 /// predicted gets a finding that says so, not an exception.
-CheckFindings check_design(const Design& design);
+CheckFindings check_design(const Design& design, const CheckScope& scope = {});
 
 }  // namespace latticast

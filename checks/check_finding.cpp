@@ -116,6 +116,12 @@ std::string_view name(Severity severity) {
   return "";
 }
 
+bool has_error(const CheckFindings& findings) {
+  return std::any_of(findings.begin(), findings.end(), [](const CheckFinding& finding) {
+    return finding.severity == Severity::error;
+  });
+}
+
 std::span<const CheckCode> all_check_codes() {
   return codes;
 }

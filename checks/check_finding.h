@@ -40,6 +40,8 @@ struct CheckFinding {
 
 using CheckFindings = std::vector<CheckFinding>;
 
+bool has_error(const CheckFindings& findings);
+
 /// One thing that can be found.
 struct CheckCode {
   std::string_view code;

@@ -290,7 +290,9 @@ LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptio
 
 MoldExtent extent_of(const LatticeMoldPlan& plan) {
   const MoldFit& fit = plan.options.fit;
+  const double rim_mm = plan.land_mm - 1;
   return {2 * (plan.shell.outer_radius_mm + 0.5 * fit.clearance_mm + fit.wall_mm),
+          rim_mm + socket_mm + floor_mm,
           plan.segment.length_mm + 2 * (plan.land_mm + socket_mm) - fit.clearance_mm};
 }
 

@@ -38,6 +38,7 @@ LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptio
 /// How large the widest and the highest piece are, in printing pose: base and cap, and the core.
 struct MoldExtent {
   double plate_diameter_mm = 0;
+  double plate_height_mm = 0;
   double core_length_mm = 0;
 };
 MoldExtent extent_of(const LatticeMoldPlan& plan);

@@ -112,6 +112,7 @@ struct Preview {
 struct Make {
   bool lattice = false;
   bool liner = false;
+  bool flat_pattern = false;  ///< the lattice unrolled, as drawings at true scale
   std::optional<LatticeMold> lattice_mold;
   std::optional<LinerMold> liner_mold;
   std::optional<Preview> preview;

@@ -213,6 +213,8 @@ Make read_make(const Field& field, const std::vector<Segment>& segments, const P
   Make make;
   make.lattice = lattice.flag_or(false);
   make.liner = table.may("liner").flag_or(false);
+  const Field flat_pattern = table.may("flat_pattern");
+  make.flat_pattern = flat_pattern.flag_or(false);
   make.lattice_mold = read_lattice_mold(table.may("lattice_mold"), around);
   make.liner_mold = read_liner_mold(table.may("liner_mold"), around);
   make.preview = read_preview(table.may("preview"), segments.size());
@@ -220,10 +222,14 @@ Make read_make(const Field& field, const std::vector<Segment>& segments, const P
   table.refuse_unknown_keys();
 
   const auto has_lattice = [](const Segment& segment) { return segment.lattice.has_value(); };
-  if (make.lattice && !segments.empty() &&
-      std::none_of(segments.begin(), segments.end(), has_lattice)) {
-    lattice.refuse("a lattice must be there to be made, but no segment has one",
-                   "add [segment.lattice], or leave this out");
+  if (segments.empty() || std::any_of(segments.begin(), segments.end(), has_lattice)) return make;
+  constexpr std::string_view hint = "add [segment.lattice], or leave this out";
+  if (make.lattice) {
+    lattice.refuse("a lattice must be there to be made, but no segment has one", std::string(hint));
+  }
+  if (make.flat_pattern) {
+    flat_pattern.refuse("a lattice must be there to be drawn flat, but no segment has one",
+                        std::string(hint));
   }
   return make;
 }

@@ -242,14 +242,24 @@ double closing_radius_mm(const HorseshoeColumn& column) {
   return column.shape.radius_mm * arcs / std::max(1.0, std::round(arcs));
 }
 
+// A strand is narrower than 2 R, and an arc reaches no further than R from its middle.
+double centre_line_distance_mm(const Horseshoe& shape, double along_mm, double across_mm) {
+  const double chord = chord_mm(shape);
+  const int reach = 1 + static_cast<int>(std::ceil(3 * shape.radius_mm / chord));
+  const int nearest = static_cast<int>(std::floor(along_mm / chord));
+  double closest = HUGE_VAL;
+  for (int arc = nearest - reach; arc <= nearest + reach; ++arc) {
+    closest = std::min(closest, distance_to_arc(shape, arc, along_mm, across_mm));
+  }
+  return closest;
+}
+
 double centre_distance_mm(const HorseshoeColumn& column, double spacing_u_mm) {
   const Horseshoe& shape = column.shape;
   const Frame frame = frame_of(column);
   const double half = half_arc(shape);
   const double chord = chord_mm(shape);
   const double radius = shape.radius_mm;
-  // A strand is narrower than 2 R, and an arc reaches no further than R from its middle.
-  const int reach = 1 + static_cast<int>(std::ceil(3 * radius / chord));
   double closest = HUGE_VAL;
   for (int arc = 0; arc < (shape.alternate ? 2 : 1); ++arc) {
     const int side = side_of_arc(shape, arc);
@@ -259,10 +269,7 @@ double centre_distance_mm(const HorseshoeColumn& column, double spacing_u_mm) {
       const double t = side * radius * (std::cos(direction) - std::cos(half));
       const double other_s = s - spacing_u_mm * frame.along.u;
       const double other_t = t - spacing_u_mm * frame.right.u;
-      const int nearest = static_cast<int>(std::floor(other_s / chord));
-      for (int other = nearest - reach; other <= nearest + reach; ++other) {
-        closest = std::min(closest, distance_to_arc(shape, other, other_s, other_t));
-      }
+      closest = std::min(closest, centre_line_distance_mm(shape, other_s, other_t));
     }
   }
   return closest;

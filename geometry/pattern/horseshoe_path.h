@@ -36,6 +36,11 @@ double closing_radius_mm(const HorseshoeColumn& column);
 /// along u; at most 1e-4 R above the true one. It is the same all along the tube.
 double centre_distance_mm(const HorseshoeColumn& column, double spacing_u_mm);
 
+/// Distance of a place from an endless column's centre line: `along_mm` is measured along the chord
+/// line from one of its joints, after which an arc bulges to the right, `across_mm` to the right of
+/// it.
+double centre_line_distance_mm(const Horseshoe& shape, double along_mm, double across_mm);
+
 /// Outlines, one polygon an arc, drawn with the closing radius and cut level at both ends; what the
 /// cut leaves loose beyond the strand's first way out of the segment is left out. Arcs become
 /// chords that stay within `flatness_mm` of the circle and enclose exactly its area; neighbouring

@@ -31,6 +31,17 @@ expect 2 "$program" check broken.toml
 err_says "broken.toml:1"
 expect 4 "$program" check absent.toml
 
+# A build is checked first, as far as its parts need it, and refused on an error.
+expect 1 "$program" build "$fixtures/gap-too-small/rejected.toml" -o refused
+err_says "error: gap-too-small: segment 1, grid 0 strand 7"
+err_says "remedy: count = 7"
+err_says "--force"
+holds test ! -e refused
+expect 0 "$program" build "$fixtures/gap-too-small/rejected.toml" -o forced --force
+err_says "in spite of the errors"
+holds test -e forced
+expect 0 "$program" build "$fixtures/gap-too-small/accepted.toml" -o made
+
 # What is built passes, beside its design too.
 expect 0 "$program" build "$source_tree/examples/twisting/twisting.toml" -o built --only lattice,liner
 expect 0 "$program" check built/*.stl built/*.obj

@@ -15,25 +15,28 @@ cd "$work" || exit 1
 expect 0 "$program" build "$design" -o first
 says "twisting-36-lattice.stl: closed, 1 piece, genus 57"
 says "twisting-36-liner.stl: closed, 1 piece, genus 1"
+says "twisting-36-flat.svg, twisting-36-flat.dxf: flat pattern, 106.814 mm around (R = 17 mm), 85 mm along, 1 piece, 44 holes"
 holds test ! -e first/.latticast-*
 expect 0 "$program" build "$design" -o second
 expect 0 diff -r first second
 expect 0 "$program" audit first/*.stl first/*.obj
 holds test "$(grep -c '^pass' "$work/out")" -eq 16
-holds test "$(find first -type f | wc -l)" -eq 17
+holds test "$(find first -type f | wc -l)" -eq 19
 
 # One family more; a bare tube; two segments with their own files.
 expect 0 "$program" build "$source_tree/examples/twisting/two_families.toml" -o families
 says "two-families-lattice.stl: closed, 1 piece"
-sed '/segment.lattice\]/,/^\[load\]/{/^\[load\]/!d}; s/^lattice = true/lattice = false/' "$design" >bare.toml
+sed '/segment.lattice\]/,/^\[load\]/{/^\[load\]/!d}; s/^lattice = true/lattice = false/; /^flat_pattern/d' "$design" >bare.toml
 expect 0 "$program" build bare.toml -o bare --only liner
 expect 0 "$program" predict bare.toml --pressure 10
 { sed -n '1,/^\[load\]/p' "$design" | sed '$d'
   sed -n '/^\[\[segment\]\]/,/^\[load\]/p' "$design" | sed '$d'
   echo '[load]'; echo '[[load.case]]'; echo 'pressure = [10, 20]'
-  echo '[make]'; echo 'lattice = true'; echo 'preview = { pressures = [10] }'; } >chain.toml
+  echo '[make]'; echo 'lattice = true'; echo 'flat_pattern = true'; echo 'preview = { pressures = [10] }'; } >chain.toml
 expect 0 "$program" build chain.toml -o chain
 says "twisting-36-segment-2-lattice.stl: closed, 1 piece, genus 57"
+holds test -s chain/twisting-36-segment-1-flat.svg
+holds test -s chain/twisting-36-segment-2-flat.dxf
 expect 0 "$program" predict chain.toml --format csv
 holds test "$(tail -n +2 "$work/out" | cut -d, -f1,2 | tr '\n' ' ')" = "1,10 2,20 "
 
@@ -42,6 +45,7 @@ expect 0 "$program" build "$design" --dry-run -o planned
 says "run   lattice        [make] names lattice"
 says "skip  horseshoe-law  no strand is a horseshoe"
 says "skip  bending        every section is symmetric about its axis"
+says "run   flat-pattern   [make] names flat_pattern"
 says "skip  lattice-mold   [make] does not name lattice_mold"
 says "skip  report         [make] does not name report"
 holds test ! -e planned
@@ -50,6 +54,15 @@ says "skip  prediction     nothing that is made needs a deformed shape"
 says "skip  liner          left out by --only"
 expect 0 "$program" build "$design" --only lattice -o narrow
 holds test "$(ls narrow | tr '\n' ' ')" = "twisting-36-lattice.obj twisting-36-lattice.stl "
+expect 0 "$program" build "$design" --only flat-pattern -o flat
+holds test "$(ls flat | tr '\n' ' ')" = "twisting-36-flat.dxf twisting-36-flat.svg "
+# A chain whose second segment is a bare tube has one drawing, and says why.
+{ sed -n '1,/^\[load\]/p' "$design" | sed '$d'
+  sed -n '/^\[\[segment\]\]/,/^  \[segment.lattice\]/p' "$design" | sed '$d'
+  echo '[make]'; echo 'flat_pattern = true'; } >half.toml
+expect 0 "$program" build half.toml -o half
+says "twisting-36-segment-2-flat: no flat pattern, the segment has no lattice"
+holds test "$(ls half | tr '\n' ' ')" = "twisting-36-segment-1-flat.dxf twisting-36-segment-1-flat.svg "
 expect 2 "$program" build "$design" --only molds -o narrow
 err_says "[make] does not ask for it"
 expect 2 "$program" build "$design" --only wheel -o narrow
@@ -102,14 +115,6 @@ err_says "the lattice cannot be drawn"
 err_says "segment[0].lattice.grid[0]"
 err_says "radius"
 holds test ! -e bad
-sed 's/liner = true/report = true/' "$design" >report.toml
-expect 2 "$program" build report.toml -o bad
-err_says "cannot make yet"
-expect 0 "$program" build report.toml -o without_report --only lattice
-sed 's/"stl", "obj"/"ply", "3mf", "glb"/' "$design" >formats.toml
-expect 0 "$program" build formats.toml -o formats --only lattice
-holds test "$(ls formats | tr '\n' ' ')" = "twisting-36-lattice.3mf twisting-36-lattice.glb twisting-36-lattice.ply "
-expect 0 "$program" audit formats/*
 sed 's/pressures = \[10\]/pressures = [10, [5, 10], 10]/' chain.toml >apart.toml
 expect 0 "$program" build apart.toml -o apart --only preview
 says "twisting-36-segment-2-preview-5_10kPa-liner.stl: closed, 1 piece"

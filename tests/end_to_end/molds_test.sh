@@ -76,7 +76,9 @@ bad_mold 'lattice_mold = { wall = 0.2 }' "the printer's clearance, 0.3 mm, must 
 bad_mold 'lattice_mold = { wall = 1.5 }' "grooves for strands 2 mm deep need more wall behind them"
 bad_mold 'liner_mold = { ends = "flanged", keyed = true }' "would hang between the flanges"
 sed 's/process = "fdm"/process = "fdm"\nbed = [50, 50, 50]/' "$twisting" >bed.toml
-expect 2 "$program" build bed.toml -o bad
+expect 1 "$program" build bed.toml -o bad
+err_says "error: exceeds-bed: segment 1, lattice-mold core: is 32 x 32 x 104.7 mm"
+expect 2 "$program" build bed.toml -o bad --force
 err_says "the mold does not fit the printer"
 err_says "core is 32 x 32.01 x 104.7 mm"
 holds test ! -e bad

@@ -24,6 +24,7 @@ model             spec geometry/mesh geometry/pattern
 molds             spec geometry/mesh geometry/pattern geometry/solid
 export            spec geometry/mesh
 checks            spec geometry/mesh geometry/pattern geometry/solid model molds
+report            spec geometry/mesh geometry/pattern geometry/solid model molds export checks
 app               *
 bench             *
 tests             *
@@ -33,7 +34,7 @@ tests             *
 # bench and tests may include any.
 owners='
 ^toml\+\+/           spec
-^fmt/                spec geometry/mesh geometry/pattern geometry/solid model molds export checks app
+^fmt/                spec geometry/mesh geometry/pattern geometry/solid model molds export checks report app
 ^Eigen/              geometry/mesh geometry/pattern geometry/solid model
 ^(CGAL|boost)/       geometry/solid molds
 ^polyclipping/       geometry/solid
@@ -43,7 +44,7 @@ owners='
 ^png\.h              export
 ^(tiny_gltf|zip|expat)\.h export
 ^CLI/                app
-^nlohmann/           export app
+^nlohmann/           export report app
 ^(unistd|fcntl|signal|poll)\.h export app
 ^sys/                export app
 '
@@ -153,7 +154,7 @@ machine_path_violations() {
 # All headers share one namespace: two types of one name would share their constructors, too, and the
 # linker keeps only one of each.
 repeated_type_violations() {
-  { grep -E '^(spec|geometry|model|molds|export|checks|app|bench)/.*\.h$' || true; } |
+  { grep -E '^(spec|geometry|model|molds|export|checks|report|app|bench)/.*\.h$' || true; } |
     { xargs -d '\n' -r grep -HnE '^(struct|class|enum class|union) +[A-Za-z0-9_]+( |:|[{]|$)' || true; } |
     awk -F: '
       {

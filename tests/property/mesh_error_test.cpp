@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "app/file_error.h"
-#include "app/preview.h"
+#include "report/preview.h"
 #include "export/mesh_file.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/pattern/drawing_problems.h"

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "app/build_command.h"
-#include "app/preview.h"
+#include "report/preview.h"
 #include "export/mesh_file.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/audit.h"
@@ -48,6 +48,7 @@ Outcome build(const std::filesystem::path& design, const std::filesystem::path& 
   BuildArguments arguments;
   arguments.design = design;
   arguments.folder = folder;
+  arguments.force = true;  // whether a printer can make it is not asked here
   testing::internal::CaptureStderr();
   Outcome outcome;
   try {

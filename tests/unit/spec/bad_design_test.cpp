@@ -98,11 +98,13 @@ tolerance = 1e-4
 
 TEST(BadDesign, MakingALatticeThatIsNotThere) {
   const std::string text =
-      std::string(smallest_design) + "[make]\nlattice = true\nlattice_mold = {}\nliner = true\n";
+      std::string(smallest_design) +
+      "[make]\nlattice = true\nflat_pattern = true\nlattice_mold = {}\nliner = true\n";
   const std::vector<Issue> issues = issues_of(text);
-  ASSERT_EQ(issues.size(), 2U);
+  ASSERT_EQ(issues.size(), 3U);
   EXPECT_EQ(issues[0].key, "make.lattice");
-  EXPECT_EQ(issues[1].key, "make.lattice_mold");
+  EXPECT_EQ(issues[1].key, "make.flat_pattern");
+  EXPECT_EQ(issues[2].key, "make.lattice_mold");
 }
 
 TEST(BadDesign, DefaultWallOfAMoldIsBlamedOnTheMold) {

@@ -89,6 +89,7 @@ joint = "paper"
 [make]
 lattice = true
 liner = true
+flat_pattern = true
 lattice_mold = { pieces = 3, wall = 4, method = "replica" }
 liner_mold = { wall = 6, ends = "closed", keyed = false, pieces = 4 }
 preview = { pressures = [0, [20, 0, -5], 40] }

@@ -105,6 +105,7 @@ TEST(ReadDesign, SettingsOfTheWholeGrammar) {
   EXPECT_EQ(design.model.joint, JointModel::paper);
   EXPECT_TRUE(design.make.lattice);
   EXPECT_TRUE(design.make.liner);
+  EXPECT_TRUE(design.make.flat_pattern);
   ASSERT_TRUE(design.make.lattice_mold);
   EXPECT_EQ(design.make.lattice_mold->pieces, 3);
   EXPECT_EQ(design.make.lattice_mold->wall_mm, 4);
@@ -138,6 +139,7 @@ TEST(ReadDesign, WhatIsLeftOutHasItsDefault) {
   EXPECT_EQ(design.model.columns, ColumnModel::distributed);
   EXPECT_EQ(design.model.joint, JointModel::clear_span);
   EXPECT_FALSE(design.make.lattice || design.make.liner || design.make.report);
+  EXPECT_FALSE(design.make.flat_pattern);
   EXPECT_FALSE(design.make.lattice_mold || design.make.liner_mold || design.make.preview);
   EXPECT_EQ(design.output.formats, std::vector<MeshFormat>{MeshFormat::stl});
   EXPECT_EQ(design.output.tolerance_mm, 0.01);

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/preview.h"
+#include "report/preview.h"
 #include "tests/unit/geometry/solid/example_segments.h"
 #include "tests/unit/geometry/solid/mesh_measures.h"
 

@@ -1,22 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/prediction.h"
+#include "model/prediction.h"
 
 #include <algorithm>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
 namespace latticast {
 namespace {
 
-std::optional<Response> predict_scaled(Segment segment, const Design& design,
+std::optional<Response> predict_scaled(Segment segment, const ModelChoice& model,
                                        const std::vector<double>& pressures, Held held,
                                        std::optional<double> factor) {
   if (!factor) return std::nullopt;
   segment.liner.material.law = scaled(segment.liner.material.law, *factor);
-  return predict(segment, design.model, pressures, held);
+  return predict(segment, model, pressures, held);
 }
 
+constexpr double degrees = 180 / std::numbers::pi;
+
 }  // namespace
+
+double twist_deg(const State& state, const Segment& segment) {
+  return state.twist_rad_per_mm * segment.length_mm * degrees;
+}
+
+double bend_deg(const State& state, const Segment& segment) {
+  return state.bend_magnitude_rad_per_mm() * segment.length_mm * degrees;
+}
 
 bool Prediction::complete() const {
   return std::all_of(segments.begin(), segments.end(), [](const SegmentPrediction& segment) {
@@ -50,19 +61,24 @@ std::vector<double> segment_pressures_kpa(const Design& design, std::size_t segm
   return pressures;
 }
 
+SegmentPrediction predict_segment(const Segment& segment, const ModelChoice& model,
+                                  const std::vector<double>& pressures_kpa, Held held,
+                                  bool with_bands) {
+  SegmentPrediction result{pressures_kpa, predict(segment, model, pressures_kpa, held), {}, {}};
+  if (!with_bands) return result;
+  const Material& liner = segment.liner.material;
+  result.softest = predict_scaled(segment, model, pressures_kpa, held, liner.modulus_low_factor);
+  result.stiffest = predict_scaled(segment, model, pressures_kpa, held, liner.modulus_high_factor);
+  return result;
+}
+
 Prediction predict_design(const Design& design, const std::vector<double>& pressures_kpa, Held held,
                           bool with_bands) {
   Prediction prediction;
   for (std::size_t i = 0; i < design.segments.size(); ++i) {
-    const Segment& segment = design.segments[i];
-    const std::vector<double> pressures = segment_pressures_kpa(design, i, pressures_kpa);
-    SegmentPrediction result{pressures, predict(segment, design.model, pressures, held), {}, {}};
-    if (with_bands) {
-      const Material& liner = segment.liner.material;
-      result.softest = predict_scaled(segment, design, pressures, held, liner.modulus_low_factor);
-      result.stiffest = predict_scaled(segment, design, pressures, held, liner.modulus_high_factor);
-    }
-    prediction.segments.push_back(std::move(result));
+    prediction.segments.push_back(predict_segment(design.segments[i], design.model,
+                                                  segment_pressures_kpa(design, i, pressures_kpa),
+                                                  held, with_bands));
   }
   return prediction;
 }

@@ -6,12 +6,16 @@
 #include <string>
 #include <vector>
 
+#include "export/colour_ramp.h"
 #include "export/picture.h"
 #include "geometry/solid/tube_solids.h"
 #include "model/chain.h"
 #include "spec/design.h"
 
 namespace latticast {
+
+inline constexpr Colour preview_lattice_colour{0.16, 0.36, 0.62};
+inline constexpr Colour preview_liner_colour{0.93, 0.86, 0.76};
 
 /// A preview asks for a pressure at which there is no equilibrium; what() names it and the limit
 /// point.
@@ -43,6 +47,19 @@ TriangleMesh moved_mesh(const TriangleMesh& rest, const Shape& shape, std::size_
 /// layer as thick all over the surface.
 SolidError moved_error(const Solid& rest, const TriangleMesh& moved, const Shape& shape,
                        std::size_t segment);
+
+/// A colour for every vertex of a part in every shape, by the strain of its material
+/// (strand_strain.h): one scale for all shapes, so that colours can be compared.
+struct StrainColours {
+  std::vector<std::vector<Colour>> of_shape;  ///< a list for each shape
+  ColourRamp ramp;
+};
+
+/// Of a segment's lattice or liner, whose rest mesh was made with `options`. Throws
+/// UnsupportedDesign as strand_field does.
+StrainColours strain_colours(const Segment& segment, std::size_t number, bool is_liner,
+                             const TriangleMesh& rest, const SolidOptions& options,
+                             const std::vector<PreviewShape>& shapes);
 
 /// A place in the row of shapes that the picture shows.
 struct PicturePart {

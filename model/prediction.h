@@ -19,6 +19,12 @@ struct SegmentPrediction {
   std::optional<Response> stiffest;
 };
 
+/// How far the segment's far end is turned about its axis, right-handed about +z.
+double twist_deg(const State& state, const Segment& segment);
+
+/// By how much its far end is tilted: |kappa| L.
+double bend_deg(const State& state, const Segment& segment);
+
 struct Prediction {
   std::vector<SegmentPrediction> segments;
 
@@ -32,6 +38,11 @@ std::vector<LoadCase> asked_cases(const Design& design, const std::vector<double
 /// One segment's pressures in asked_cases: distinct ones, in the order in which they first appear.
 std::vector<double> segment_pressures_kpa(const Design& design, std::size_t segment,
                                           const std::vector<double>& pressures_kpa);
+
+/// Predicts one segment of the design at these pressures. Throws UnsupportedDesign.
+SegmentPrediction predict_segment(const Segment& segment, const ModelChoice& model,
+                                  const std::vector<double>& pressures_kpa, Held held,
+                                  bool with_bands);
 
 /// Predicts every segment at its segment_pressures_kpa. Throws UnsupportedDesign, and
 /// std::invalid_argument when there is no load at all.

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/preview.h"
+#include "report/preview.h"
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <set>
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include "model/strand_strain.h"
+
 namespace latticast {
 namespace {
-
-constexpr Colour lattice_colour{0.16, 0.36, 0.62};
-constexpr Colour liner_colour{0.93, 0.86, 0.76};
 
 // More pressures than this in a file's name help nobody.
 constexpr std::size_t most_named_pressures = 6;
@@ -173,6 +173,34 @@ SolidError moved_error(const Solid& rest, const TriangleMesh& moved, const Shape
   return error;
 }
 
+StrainColours strain_colours(const Segment& segment, std::size_t number, bool is_liner,
+                             const TriangleMesh& rest, const SolidOptions& options,
+                             const std::vector<PreviewShape>& shapes) {
+  const double start = options.start_z_mm;
+  std::optional<StrandField> field;
+  if (!is_liner) field = strand_field(segment, rest, start, options.tolerance_mm);
+  std::vector<std::vector<double>> strains;
+  double least = 0;
+  double largest = 0;
+  for (const PreviewShape& at : shapes) {
+    const State& state = at.states[number];
+    strains.push_back(is_liner ? liner_strains(segment, rest, start, options.tolerance_mm, state)
+                               : strand_strains(*field, state));
+    const auto [low, high] = std::minmax_element(strains.back().begin(), strains.back().end());
+    least = std::min(least, *low);
+    largest = std::max(largest, *high);
+  }
+  StrainColours found{{}, strain_ramp(least, largest)};
+  for (const std::vector<double>& of_shape : strains) {
+    std::vector<Colour>& colours = found.of_shape.emplace_back();
+    for (const double strain : of_shape) {
+      const ByteColour bytes = colour_of(found.ramp, strain);
+      colours.push_back({bytes[0] / 255.0, bytes[1] / 255.0, bytes[2] / 255.0});
+    }
+  }
+  return found;
+}
+
 Image preview_picture(const std::vector<PicturePart>& parts,
                       const std::vector<PreviewShape>& shapes) {
   const double plane = bending_plane_rad(shapes);
@@ -182,7 +210,7 @@ Image preview_picture(const std::vector<PicturePart>& parts,
   for (const PicturePart& part : parts) {
     const double along = places[part.place];
     objects.push_back({part.mesh,
-                       part.is_liner ? liner_colour : lattice_colour,
+                       part.is_liner ? preview_liner_colour : preview_lattice_colour,
                        {along * std::cos(plane), along * std::sin(plane), 0},
                        1});
   }

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The checks that come before a build.
+#pragma once
+
+#include "app/console.h"
+#include "app/plan.h"
+#include "checks/check_finding.h"
+#include "spec/design.h"
+
+namespace latticast {
+
+/// What can go wrong with the parts that the plan makes, and no others: printing for a lattice or
+/// its mold, casting for molds, the whole load for a preview or report.
+CheckFindings checks_before_build(const Design& design, const Plan& plan);
+
+/// Writes the errors for people, each with its place and remedy, and counts the warnings and notes;
+/// true when the build may go on: nothing was found that spoils a part, or `force` is set.
+bool may_build(const CheckFindings& findings, bool force, const Console& console);
+
+}  // namespace latticast

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/flat_pattern.h"
+
+#include <fmt/core.h>
+
+namespace latticast {
+namespace {
+
+DrawnOutline drawn(const std::vector<PlanePoint>& points) {
+  DrawnOutline outline;
+  outline.reserve(points.size());
+  for (const PlanePoint& p : points) outline.push_back({p.u, p.z});
+  return outline;
+}
+
+std::string counted(std::size_t count, std::string_view what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+FlatDrawing flat_drawing(const Design& design, std::size_t segment, const FlatSheet& sheet) {
+  FlatDrawing drawing;
+  drawing.title = design.name;
+  if (design.segments.size() > 1) drawing.title += fmt::format(", segment {}", segment + 1);
+  drawing.title += ": lattice, flat";
+  drawing.width_mm = sheet.circumference_mm;
+  drawing.height_mm = sheet.length_mm;
+  drawing.notes = drawing_notes(design.segments[segment]);
+  for (const FlatPiece& piece : sheet.pieces) {
+    DrawnPiece& part = drawing.pieces.emplace_back();
+    part.outlines.push_back(drawn(piece.outer));
+    for (const auto& hole : piece.holes) part.outlines.push_back(drawn(hole));
+  }
+  return drawing;
+}
+
+std::string describe(const FlatSheet& sheet) {
+  std::size_t holes = 0;
+  for (const FlatPiece& piece : sheet.pieces) holes += piece.holes.size();
+  return fmt::format(
+      "{:.6g} mm around (R = {:.6g} mm), {:.6g} mm along, {}, {}, outlines to {:.2g} mm",
+      sheet.circumference_mm, sheet.radius_mm, sheet.length_mm,
+      counted(sheet.pieces.size(), "piece"), counted(holes, "hole"), sheet.error.distance_mm);
+}
+
+}  // namespace latticast

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A segment's lattice as a drawing to cut a sheet by.
+#pragma once
+
+#include <string>
+
+#include "export/flat_drawing.h"
+#include "geometry/solid/flat_sheet.h"
+#include "spec/design.h"
+
+namespace latticast {
+
+/// The sheet of one segment with its title and notes. `sheet` is flat_sheet() of that segment.
+FlatDrawing flat_drawing(const Design& design, std::size_t segment, const FlatSheet& sheet);
+
+/// For people: "106.814 mm around (R = 17 mm), 85 mm along, 1 piece with 44 holes, within 0.01 mm
+/// of what was drawn".
+std::string describe(const FlatSheet& sheet);
+
+}  // namespace latticast

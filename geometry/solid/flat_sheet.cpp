@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "geometry/solid/flat_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <string>
+#include <utility>
+
+#include "geometry/solid/arrangement.h"
+#include "geometry/solid/fillet.h"
+#include "geometry/solid/region.h"
+
+namespace latticast {
+namespace {
+
+constexpr int few_columns = 4;  // columns only cut outlines; a quarter of the way around is exact
+constexpr double fewest_steps_across = 16;
+constexpr int most_slit_rounds = 16;
+constexpr double arc_share = 0.95;     // chords may be off by 1.05 of the flatness asked for,
+constexpr double fillet_share = 0.88;  // those of fillets by 1.12
+
+// A grid point of the slit sheet, u counted from the slit all the way across.
+struct SheetPoint {
+  std::int64_t u = 0;
+  std::int64_t z = 0;
+
+  friend auto operator<=>(const SheetPoint&, const SheetPoint&) = default;
+};
+
+// Material lies on the left of from -> to.
+struct SheetEdge {
+  SheetPoint from;
+  SheetPoint to;
+};
+
+using Loop = std::vector<SheetPoint>;
+
+struct PieceLoops {
+  Loop outer;
+  std::int64_t twice_area = 0;
+  std::vector<Loop> holes;
+};
+
+std::int64_t cross(SheetPoint a, SheetPoint b, SheetPoint c) {
+  return (b.u - a.u) * (c.z - a.z) - (b.z - a.z) * (c.u - a.u);
+}
+
+bool has_horseshoes(const Lattice& lattice) {
+  return std::any_of(lattice.grids.begin(), lattice.grids.end(),
+                     [](const Grid& grid) { return grid.horseshoe.has_value(); });
+}
+
+// A fillet leans on chords of arcs, and adds its own.
+double flatness_of(const Lattice& lattice, double tolerance_mm) {
+  if (lattice.fillet_mm == 0) return arc_share * tolerance_mm;
+  return fillet_share * (has_horseshoes(lattice) ? 0.5 : 1) * tolerance_mm;
+}
+
+void check_widths(const Lattice& lattice, const PlaneGrid& grid) {
+  double thinnest = lattice.rings ? lattice.rings->width_mm : HUGE_VAL;
+  for (const Grid& family : lattice.grids) {
+    for (const double width : family.widths_mm) thinnest = std::min(thinnest, width);
+  }
+  const double least = fewest_steps_across * std::max(grid.u_step_mm, grid.z_step_mm);
+  if (thinnest >= least) return;
+  throw GeometryError("a strand or ring of " + std::to_string(thinnest) +
+                      " mm is too thin to be drawn on a sheet this large; here it needs at least " +
+                      std::to_string(least) + " mm");
+}
+
+// Heights at which an opening's tip touches the slit, material being whole below and above it on
+// both sides: there the slit would leave material hanging together in a point.
+std::vector<std::int32_t> slit_tips(const Region& region) {
+  std::vector<std::int32_t> tips;
+  Layers below = 0;
+  for (const LinePoint& point : line_points(region, 0)) {
+    const Layers above = point.inside_before & point.inside_after;
+    if (below != 0 && above != 0) tips.push_back(point.z);
+    below = above;
+  }
+  return tips;
+}
+
+Strand diamond(double z_mm, double half_mm, double length_mm) {
+  return {{{0, std::max(0.0, z_mm - half_mm)},
+           {half_mm, z_mm},
+           {0, std::min(length_mm, z_mm + half_mm)},
+           {-half_mm, z_mm}}};
+}
+
+Region slit_region(Pattern pattern, const PlaneGrid& grid, double closing_mm) {
+  const double half =
+      std::max(closing_mm, fewest_steps_across * std::max(grid.u_step_mm, grid.z_step_mm));
+  for (int round = 0; round < most_slit_rounds; ++round) {
+    Region region = unite(pattern, grid, {}, closing_mm);
+    const std::vector<std::int32_t> tips = slit_tips(region);
+    if (tips.empty()) return region;
+    for (const std::int32_t z : tips) {
+      pattern.strands.push_back(diamond(z * grid.z_step_mm, half, pattern.length_mm));
+    }
+    pattern.error += {half, 2 * half * half * static_cast<double>(tips.size())};
+  }
+  throw GeometryError(
+      "the slit meets openings in points that cannot be closed; change an angle, a "
+      "count or a width slightly");
+}
+
+// Outlines along a line between columns, or along the slit, where the sheet has two sides.
+void add_line_edges(const Region& region, int line, std::vector<SheetEdge>& edges) {
+  const std::int64_t u = std::int64_t{line} * region.grid.column_steps;
+  const std::int64_t far_u = std::int64_t{region.grid.columns} * region.grid.column_steps;
+  const std::vector<LinePoint> points = line_points(region, line);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const std::int64_t low = points[i].z;
+    const std::int64_t high = points[i + 1].z;
+    const bool before = points[i].inside_before != 0;
+    const bool after = points[i].inside_after != 0;
+    if (line != 0 && before == after) continue;
+    if (before) edges.push_back({{line == 0 ? far_u : u, low}, {line == 0 ? far_u : u, high}});
+    if (after) edges.push_back({{u, high}, {u, low}});
+  }
+}
+
+// Sorted by where they start.
+std::vector<SheetEdge> sheet_edges(const Region& region) {
+  std::vector<SheetEdge> edges;
+  for (int c = 0; c < region.grid.columns; ++c) {
+    const std::int64_t left = std::int64_t{c} * region.grid.column_steps;
+    for (const RegionEdge& edge : region.columns[c]) {
+      if (!edge.is_outline()) continue;
+      const SheetPoint a{left + edge.a.u, edge.a.z};
+      const SheetPoint b{left + edge.b.u, edge.b.z};
+      edges.push_back(edge.inside_left != 0 ? SheetEdge{a, b} : SheetEdge{b, a});
+    }
+    add_line_edges(region, c, edges);
+  }
+  std::sort(edges.begin(), edges.end(),
+            [](const SheetEdge& e, const SheetEdge& f) { return e.from < f.from; });
+  return edges;
+}
+
+// The sheet's points on the slit are kept even on a straight line: there the other side may turn.
+Loop without_straight_points(const Loop& loop, std::int64_t far_u) {
+  Loop kept;
+  const std::size_t n = loop.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool on_slit = loop[i].u == 0 || loop[i].u == far_u;
+    if (on_slit || cross(loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n]) != 0) {
+      kept.push_back(loop[i]);
+    }
+  }
+  return kept;
+}
+
+std::int64_t twice_area(const Loop& loop) {
+  std::int64_t sum = 0;
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) sum += cross(loop[0], loop[i], loop[i + 1]);
+  return sum;
+}
+
+// Every point of the slit sheet starts exactly one edge. Loops begin at their first point, and come
+// in the order of these.
+std::vector<Loop> loops_of(const Region& region) {
+  const std::int64_t far_u = std::int64_t{region.grid.columns} * region.grid.column_steps;
+  const std::vector<SheetEdge> edges = sheet_edges(region);
+  std::vector<char> used(edges.size(), 0);
+  std::vector<Loop> loops;
+  for (std::size_t first = 0; first < edges.size(); ++first) {
+    if (used[first] != 0) continue;
+    Loop loop;
+    for (std::size_t at = first; used[at] == 0;) {
+      used[at] = 1;
+      loop.push_back(edges[at].from);
+      const auto next = std::lower_bound(
+          edges.begin(), edges.end(), edges[at].to,
+          [](const SheetEdge& edge, const SheetPoint& point) { return edge.from < point; });
+      at = static_cast<std::size_t>(next - edges.begin());
+    }
+    loops.push_back(without_straight_points(loop, far_u));
+  }
+  return loops;
+}
+
+// Precondition: the point is not on the loop.
+bool surrounds(const Loop& loop, SheetPoint point) {
+  bool inside = false;
+  for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
+    if ((loop[i].z > point.z) == (loop[j].z > point.z)) continue;
+    const bool upwards = loop[i].z > loop[j].z;
+    const std::int64_t side = cross(loop[j], loop[i], point);
+    if (upwards ? side > 0 : side < 0) inside = !inside;
+  }
+  return inside;
+}
+
+std::vector<PieceLoops> pieces_of(std::vector<Loop> loops) {
+  std::vector<PieceLoops> pieces;
+  std::vector<Loop> holes;
+  for (Loop& loop : loops) {
+    const std::int64_t area = twice_area(loop);
+    if (area > 0) {
+      pieces.push_back({std::move(loop), area, {}});
+    } else {
+      holes.push_back(std::move(loop));
+    }
+  }
+  for (Loop& hole : holes) {
+    PieceLoops* around = nullptr;
+    for (PieceLoops& piece : pieces) {
+      const bool smaller = around == nullptr || piece.twice_area < around->twice_area;
+      if (smaller && (pieces.size() == 1 || surrounds(piece.outer, hole.front()))) around = &piece;
+    }
+    around->holes.push_back(std::move(hole));
+  }
+  return pieces;
+}
+
+std::vector<PlanePoint> in_mm(const Loop& loop, const PlaneGrid& grid, double length_mm) {
+  std::vector<PlanePoint> points;
+  points.reserve(loop.size());
+  for (const SheetPoint& p : loop) {
+    const double z =
+        p.z == grid.length_steps ? length_mm : static_cast<double>(p.z) * grid.z_step_mm;
+    points.push_back({static_cast<double>(p.u) * grid.u_step_mm, z});
+  }
+  return points;
+}
+
+}  // namespace
+
+FlatSheet flat_sheet(const Segment& segment, double tolerance_mm) {
+  const Lattice& lattice = *segment.lattice;
+  const double flatness_mm = flatness_of(lattice, tolerance_mm);
+  Pattern pattern = draw_lattice(segment, flatness_mm);
+  if (lattice.fillet_mm > 0) pattern = with_fillets(pattern, lattice.fillet_mm, flatness_mm);
+  const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, pattern.length_mm, few_columns);
+  check_widths(lattice, grid);
+  FlatSheet sheet;
+  sheet.radius_mm = segment.lattice_mid_radius_mm();
+  sheet.circumference_mm = pattern.circumference_mm;
+  sheet.length_mm = pattern.length_mm;
+  const Region region = slit_region(std::move(pattern), grid, tolerance_mm);
+  sheet.error = region_error(region);
+  sheet.area_mm2 = area_mm2(region);
+  for (const PieceLoops& piece : pieces_of(loops_of(region))) {
+    FlatPiece& drawn = sheet.pieces.emplace_back();
+    drawn.outer = in_mm(piece.outer, grid, sheet.length_mm);
+    for (const Loop& hole : piece.holes) {
+      drawn.holes.push_back(in_mm(hole, grid, sheet.length_mm));
+    }
+  }
+  return sheet;
+}
+
+}  // namespace latticast

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/report_curves.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace latticast {
+namespace {
+
+constexpr int even_steps = 32;
+constexpr std::size_t most_cases = 2000;  // more points than these say no more in a picture
+
+std::set<double> even_pressures(const std::vector<double>& asked) {
+  const double low = std::min(0.0, *std::min_element(asked.begin(), asked.end()));
+  const double high = std::max(0.0, *std::max_element(asked.begin(), asked.end()));
+  std::set<double> pressures(asked.begin(), asked.end());
+  pressures.insert(0);
+  for (int i = 0; i <= even_steps; ++i) {
+    const double pressure = low + (high - low) * i / even_steps;
+    // Beside an asked one, and not the same by rounding alone.
+    const auto next = pressures.lower_bound(pressure - 1e-9 * (high - low));
+    if (next == pressures.end() || *next > pressure + 1e-9 * (high - low)) {
+      pressures.insert(pressure);
+    }
+  }
+  return pressures;
+}
+
+// A branch turns back like a square root: even steps would cut its end off.
+std::set<double> toward_ends(const Response& response, const std::set<double>& pressures) {
+  std::set<double> more;
+  for (const LimitPoint& limit : response.limit_points) {
+    if (limit.kind == LimitKind::bifurcation) continue;
+    const auto next = pressures.lower_bound(limit.pressure_kpa);
+    const bool above = limit.pressure_kpa > 0;
+    if (next == pressures.begin() || next == pressures.end()) continue;
+    const double inside = above ? *std::prev(next) : *next;
+    for (double rest = 0.5; rest > 1e-5; rest *= 0.25) {
+      more.insert(limit.pressure_kpa + rest * (inside - limit.pressure_kpa));
+    }
+  }
+  return more;
+}
+
+ResponseCurve predict_curve(const Segment& segment, const ModelChoice& model,
+                            const std::vector<double>& asked) {
+  std::set<double> pressures = even_pressures(asked);
+  const auto predicted = [&](bool with_bands) {
+    return predict_segment(segment, model, {pressures.begin(), pressures.end()}, {}, with_bands);
+  };
+  pressures.merge(toward_ends(predicted(false).response, pressures));
+  ResponseCurve curve{predicted(true), {}};
+  const std::set<double> named(asked.begin(), asked.end());
+  for (const double pressure : pressures) curve.asked.push_back(named.count(pressure) > 0);
+  return curve;
+}
+
+}  // namespace
+
+std::vector<State> ResponseCurve::states() const {
+  std::vector<State> found;
+  for (const std::optional<State>& state : prediction.response.states) {
+    if (state) found.push_back(*state);
+  }
+  return found;
+}
+
+ReportCurves predict_curves(const Design& design) {
+  ReportCurves curves;
+  for (std::size_t s = 0; s < design.segments.size(); ++s) {
+    curves.segments.push_back(
+        predict_curve(design.segments[s], design.model, segment_pressures_kpa(design, s, {})));
+  }
+  std::vector<LoadCase> cases = design.load;
+  if (cases.size() > most_cases) {
+    curves.cases_left_out = cases.size() - most_cases;
+    cases.resize(most_cases);
+  }
+  curves.chain = predict_chain(design.segments, design.model, cases);
+  return curves;
+}
+
+}  // namespace latticast

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a report shows of the response: curves fine enough to be drawn, and the chain's cases.
+#pragma once
+
+#include <vector>
+
+#include "model/chain.h"
+#include "model/prediction.h"
+#include "spec/design.h"
+
+namespace latticast {
+
+/// One segment over its whole load, rest included: pressures ascending, each once, at least 33 of
+/// them where the load is more than rest, and closer together toward the branch's end if that lies
+/// within the load.
+struct ResponseCurve {
+  SegmentPrediction prediction;
+  std::vector<bool> asked;  ///< of each pressure: whether the design's load names it
+
+  /// States that exist, ascending.
+  std::vector<State> states() const;
+};
+
+struct ReportCurves {
+  std::vector<ResponseCurve> segments;
+  ChainResponse chain;             ///< in the load's cases
+  std::size_t cases_left_out = 0;  ///< beyond the first 2000
+};
+
+/// Predicts every segment over its load, with modulus bands, and the chain in its load cases.
+/// Precondition: the design has a load. Throws UnsupportedDesign.
+ReportCurves predict_curves(const Design& design);
+
+}  // namespace latticast

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/report_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "export/glb_file.h"
+#include "report/preview.h"
+
+namespace latticast {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double finest_mm = 0.05;
+constexpr double coarsest_mm = 1;
+constexpr std::size_t most_vertices = 150000;  // in all states together
+constexpr int fewest_steps = 4;
+constexpr int most_steps = 24;
+constexpr double step_rad = 15 * std::numbers::pi / 180;  // a chord of it is 0.9 % short
+
+State rest_state(const Segment& segment) {
+  State state;
+  state.inner_radius_mm = segment.inner_radius_mm();
+  state.outer_radius_mm = segment.outer_radius_mm();
+  state.stable = true;
+  return state;
+}
+
+// How different two states look.
+double seen_distance(const State& a, const State& b, const Segment& segment) {
+  const double length = segment.length_mm;
+  const double turn = (b.twist_rad_per_mm - a.twist_rad_per_mm) * length;
+  const double bend = std::hypot(b.bend_rad_per_mm[0] - a.bend_rad_per_mm[0],
+                                 b.bend_rad_per_mm[1] - a.bend_rad_per_mm[1]) *
+                      length;
+  const double growth =
+      std::abs(b.stretch - a.stretch) + std::abs(b.outer_radius_mm / a.outer_radius_mm - 1);
+  return std::abs(turn) + bend + growth;
+}
+
+// Rest, both ends of the branch, and between them states at even distances.
+std::vector<State> chosen_states(const std::vector<State>& all, const Segment& segment) {
+  std::vector<double> along = {0};
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    along.push_back(along.back() + seen_distance(all[i - 1], all[i], segment));
+  }
+  const int steps =
+      std::clamp(static_cast<int>(std::ceil(along.back() / step_rad)), fewest_steps, most_steps);
+  std::vector<State> chosen;
+  double next = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const bool due = along[i] >= next - 1e-12 * along.back();
+    if (!due && all[i].pressure_kpa != 0 && i + 1 != all.size()) continue;
+    chosen.push_back(all[i]);
+    while (next <= along[i]) next += std::max(along.back(), 1e-12) / steps;
+  }
+  return chosen;
+}
+
+std::vector<State> states_of(const Design& design, const ReportCurves* curves, std::size_t s) {
+  if (curves != nullptr) {
+    const std::vector<State> all = curves->segments[s].states();
+    if (!all.empty()) return chosen_states(all, design.segments[s]);
+  }
+  return {rest_state(design.segments[s])};
+}
+
+// The segment by itself, its base at the origin.
+std::vector<PreviewShape> shapes_of(const Segment& segment, const std::vector<State>& states) {
+  std::vector<PreviewShape> shapes;
+  for (const State& state : states) {
+    shapes.push_back({"", Shape(std::span(&segment, 1), std::span(&state, 1)), {state}});
+  }
+  return shapes;
+}
+
+ViewBody make_body(const Segment& segment, std::size_t number, bool is_liner,
+                   const SolidOptions& options, const std::vector<PreviewShape>& shapes) {
+  ViewBody body{fmt::format("segment-{}-{}", number, is_liner ? "liner" : "lattice"),
+                is_liner,
+                (is_liner ? liner_solid(segment, options) : lattice_solid(segment, options)).mesh,
+                {}};
+  for (const PreviewShape& shape : shapes) {
+    if (shape.states.front().pressure_kpa == 0) continue;
+    body.poses.push_back(moved_mesh(body.rest, shape.shape, 0).vertices);
+  }
+  return body;
+}
+
+ViewSegment make_segment(const Design& design, std::size_t s, const std::vector<State>& states,
+                         double tolerance_mm) {
+  const Segment& segment = design.segments[s];
+  const std::vector<PreviewShape> shapes = shapes_of(segment, states);
+  Design alone;
+  alone.segments = {segment};
+  alone.output.tolerance_mm = tolerance_mm;
+  const SolidOptions options = preview_options(alone, 0, 0, shapes);
+  ViewSegment view{{}, states};
+  if (segment.lattice) view.bodies.push_back(make_body(segment, s + 1, false, options, shapes));
+  view.bodies.push_back(make_body(segment, s + 1, true, options, shapes));
+  return view;
+}
+
+std::size_t size_of(const ReportView& view) {
+  std::size_t size = 0;
+  for (const ViewSegment& segment : view.segments) {
+    for (const ViewBody& body : segment.bodies) {
+      size += body.rest.vertices.size() * (body.poses.size() + 1);
+    }
+  }
+  return size;
+}
+
+// Shepperd's choice of the largest component keeps all digits (Shepperd 1978).
+std::array<double, 4> quaternion(const Rotation& r) {
+  const double trace = r[0][0] + r[1][1] + r[2][2];
+  std::size_t largest = 3;
+  double most = trace;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (r[i][i] > most) {
+      most = r[i][i];
+      largest = i;
+    }
+  }
+  std::array<double, 4> q{};
+  if (largest == 3) {
+    q = {r[2][1] - r[1][2], r[0][2] - r[2][0], r[1][0] - r[0][1], 1 + trace};
+  } else {
+    const std::size_t i = largest;
+    const std::size_t j = (i + 1) % 3;
+    const std::size_t k = (i + 2) % 3;
+    q[i] = 1 + r[i][i] - r[j][j] - r[k][k];
+    q[j] = r[j][i] + r[i][j];
+    q[k] = r[k][i] + r[i][k];
+    q[3] = r[k][j] - r[j][k];
+  }
+  const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+  for (double& x : q) x /= length;
+  return q;
+}
+
+Json state_json(const State& state, const Segment& segment) {
+  const Frame end = frame_along(state, segment.length_mm);
+  return {{"pressure_kPa", state.pressure_kpa},
+          {"end", {{"origin_mm", end.origin}, {"quaternion", quaternion(end.rotation)}}}};
+}
+
+Json segment_json(const ViewSegment& view, const Segment& segment, std::size_t number) {
+  Json json{{"number", number}, {"rest_length_mm", segment.length_mm}};
+  json["bodies"] = Json::array();
+  for (const ViewBody& body : view.bodies) {
+    json["bodies"].push_back({{"node", body.node}, {"role", body.is_liner ? "liner" : "lattice"}});
+  }
+  json["states"] = Json::array();
+  for (const State& state : view.states) json["states"].push_back(state_json(state, segment));
+  return json;
+}
+
+// On the outer surface, so that the place can be seen.
+Json marker_json(const ViewSegment& view, const Segment& segment, const CheckFinding& finding,
+                 std::size_t index) {
+  const double theta = finding.place->theta_deg * std::numbers::pi / 180;
+  const double radius = segment.outer_radius_mm();
+  const Point rest{radius * std::cos(theta), radius * std::sin(theta), finding.place->z_mm};
+  Json places = Json::array();
+  for (const PreviewShape& at : shapes_of(segment, view.states)) {
+    places.push_back(at.shape.moved(rest, 0));
+  }
+  return {{"finding", index}, {"segment", finding.segment}, {"positions_mm", places}};
+}
+
+Json markers_json(const ReportView& view, const Design& design, const CheckFindings& findings) {
+  Json markers = Json::array();
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    const CheckFinding& finding = findings[i];
+    if (!finding.place || finding.segment < 1) continue;
+    const std::size_t s = static_cast<std::size_t>(finding.segment) - 1;
+    markers.push_back(marker_json(view.segments[s], design.segments[s], finding, i));
+  }
+  return markers;
+}
+
+}  // namespace
+
+ReportView make_view(const Design& design, const ReportCurves* curves) {
+  std::vector<std::vector<State>> states;
+  for (std::size_t s = 0; s < design.segments.size(); ++s) {
+    states.push_back(states_of(design, curves, s));
+  }
+  const double wanted = std::max(finest_mm, design.output.tolerance_mm);
+  ReportView view;
+  for (view.tolerance_mm = wanted;;
+       view.tolerance_mm *= size_of(view) > 3 * most_vertices ? 4 : 2) {
+    view.segments.clear();
+    for (std::size_t s = 0; s < design.segments.size(); ++s) {
+      view.segments.push_back(make_segment(design, s, states[s], view.tolerance_mm));
+    }
+    if (size_of(view) <= most_vertices || 2 * view.tolerance_mm > coarsest_mm) break;
+  }
+  if (view.tolerance_mm > wanted) {
+    view.note = fmt::format("Meshes in this view are within {:g} mm, to keep the page small.",
+                            view.tolerance_mm);
+  }
+  return view;
+}
+
+std::string view_json(const ReportView& view, const Design& design, const CheckFindings& findings) {
+  Json json;
+  json["segments"] = Json::array();
+  for (std::size_t s = 0; s < view.segments.size(); ++s) {
+    json["segments"].push_back(segment_json(view.segments[s], design.segments[s], s + 1));
+  }
+  json["markers"] = markers_json(view, design, findings);
+  json["cases"] = Json::array();
+  for (const LoadCase& load : design.load) {
+    json["cases"].push_back({{"pressures_kPa", load.pressures_kpa}});
+  }
+  json["tolerance_mm"] = view.tolerance_mm;
+  json["note"] = view.note;
+  return json.dump();
+}
+
+std::string view_glb(const ReportView& view) {
+  Scene scene;
+  for (const ViewSegment& segment : view.segments) {
+    for (const ViewBody& body : segment.bodies) {
+      SceneBody& shown = scene.bodies.emplace_back();
+      shown.name = body.node;
+      shown.mesh = body.rest;
+      shown.colour = body.is_liner ? preview_liner_colour : preview_lattice_colour;
+      std::size_t pose = 0;
+      for (const State& state : segment.states) {
+        if (state.pressure_kpa == 0) continue;
+        shown.targets.push_back({fmt::format("{:g} kPa", state.pressure_kpa), body.poses[pose++]});
+      }
+    }
+  }
+  return encode_glb(scene);
+}
+
+}  // namespace latticast
