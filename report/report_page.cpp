@@ -65,10 +65,11 @@ std::string escaped_html(std::string_view text) {
   result.reserve(text.size());
   for (const char character : text) {
     const std::string_view replacement = html_of(character);
-    if (replacement.empty())
+    if (replacement.empty()) {
       result += character;
-    else
+    } else {
       result += replacement;
+    }
   }
   return result;
 }
@@ -98,10 +99,12 @@ std::string base64(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
     std::uint32_t word = 0;
-    for (std::size_t j = 0; j < 3; ++j)
+    for (std::size_t j = 0; j < 3; ++j) {
       word = word << 8 | (j < count ? static_cast<unsigned char>(bytes[i + j]) : 0U);
-    for (std::size_t j = 0; j < 4; ++j)
+    }
+    for (std::size_t j = 0; j < 4; ++j) {
       result += j <= count ? digits[word >> (18 - 6 * j) & 63U] : '=';
+    }
   }
   return result;
 }

@@ -96,9 +96,9 @@ function sliders_for(segments, present) {
   return [common.element, h("div", { class: own.length > 4 ? "sliders many" : "sliders" }, own)];
 }
 
-/** @param {Object[]} cases of the view @returns {HTMLElement|null} a choice that sets all sliders */
+/** @param {Object[]} cases of the view @returns {HTMLElement|null} a choice that sets the sliders of several segments */
 function case_choice(cases, present) {
-  if (cases.length === 0) return null;
+  if (cases.length === 0 || present.ranges.length < 2) return null;
   const name = (one) => `${list(one.pressures_kPa).map(given).join(" / ")} kPa`;
   const choice = h("select", { id: "load-case" }, h("option", { value: "" }, "by the sliders"),
     cases.map((one, i) => h("option", { value: i }, name(one))));
@@ -113,13 +113,15 @@ function case_choice(cases, present) {
 }
 
 /**
- * Sweeps all pressures up and down, once. Where less motion is asked for, it steps through eight of them.
+ * Sweeps the pressure of all segments from rest to its end and back, once. Where less motion is asked for, it goes in eight steps.
  * @param {PresentPressures} present
  * @returns {HTMLElement}
  */
 function play_button(present) {
   const button = h("button", { type: "button", "aria-pressed": "false" }, "▶ Play");
   const still = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const [low, high] = [Math.min(...present.ranges.flat()), Math.max(...present.ranges.flat())];
+  const end = high > 0 ? high : low;
   let timer = null;
   const stop = () => {
     timer = null;
@@ -130,8 +132,7 @@ function play_button(present) {
     if (timer === null) return;
     const phase = Math.min(1, (now - start) / 6000);
     const part = still ? Math.floor(phase * 8) / 8 : phase;
-    present.set_all(present.ranges.map(([low, high]) => (part < 0.5
-      ? Math.max(0, low) + 2 * part * (high - Math.max(0, low)) : high - 2 * (part - 0.5) * (high - Math.max(0, low)))));
+    present.set_same(end * (1 - Math.abs(1 - 2 * part)));
     if (phase < 1) timer = requestAnimationFrame((next) => step(start, next));
     else stop();
   };

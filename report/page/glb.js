@@ -69,10 +69,15 @@ function morph(body, segment, pose) {
 }
 
 /** @returns {Float32Array} the body's vertices in the frame of the chain */
-function placed_vertices(body, pose) {
-  const result = new Float32Array(body.present.length);
+function placed_vertices({ present }, { base }) {
+  const [ox, oy, oz] = base.origin_mm;
+  const [ex, ey, ez] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => turned(base.quaternion, axis));
+  const result = new Float32Array(present.length);
   for (let i = 0; i < result.length; i += 3) {
-    result.set(placed_point(pose.base, [body.present[i], body.present[i + 1], body.present[i + 2]]), i);
+    const [x, y, z] = [present[i], present[i + 1], present[i + 2]];
+    result[i] = ox + x * ex[0] + y * ey[0] + z * ez[0];
+    result[i + 1] = oy + x * ex[1] + y * ey[1] + z * ez[1];
+    result[i + 2] = oz + x * ex[2] + y * ey[2] + z * ez[2];
   }
   return result;
 }

@@ -7,9 +7,9 @@ function show_plan(report) {
   const plan = list(report.plan);
   const box = by_id("plan-content");
   if (plan.length) {
-    box.append(table_of("Stages, made or skipped", [
+    box.append(table_of("Stages, done or skipped", [
       { head: "Stage", cell: (p) => p.stage },
-      { head: "Result", cell: (p) => (p.runs ? "✓ made" : "— skipped") },
+      { head: "Result", cell: (p) => (p.runs ? "✓ done" : "— skipped") },
       { head: "Why", cell: (p) => p.reason || null },
     ], plan));
   }

@@ -10,10 +10,14 @@
  * @property {function(Object): (Node|string|null)} cell
  */
 
+/** @param {string} unit @returns {HTMLElement|null} ", mm" */
+function unit_after(unit) {
+  return unit ? h("span", { class: "unit" }, `, ${unit}`) : null;
+}
+
 /** @param {Column} column @returns {HTMLElement} */
 function column_head(column) {
-  return h("th", { scope: "col", class: column.number ? "number" : null }, column.head,
-    column.unit ? h("span", { class: "unit" }, ` ${column.unit}`) : null);
+  return h("th", { scope: "col", class: column.number ? "number" : null }, column.head, unit_after(column.unit));
 }
 
 /**
@@ -51,7 +55,7 @@ function property_table(caption, heads, lines, items) {
     h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Property"),
       heads.map((head) => h("th", { scope: "col", class: "number" }, head)))),
     h("tbody", {}, kept.map(([name, unit, values]) => h("tr", {},
-      h("th", { scope: "row" }, name, unit ? h("span", { class: "unit" }, ` ${unit}`) : null),
+      h("th", { scope: "row" }, name, unit_after(unit)),
       values.map((value) => h("td", { class: "number" }, value ?? MISSING)))))));
 }
 

@@ -104,24 +104,41 @@ function view_stage(report) {
   const layer = svg("svg", { class: "overlay", "aria-hidden": "true" });
   const printed = h("img", { class: "printed", alt: view_description(report), hidden: true });
   const message = h("p", { class: "message", hidden: true });
-  const element = h("div", { class: "stage" }, canvas, layer, printed, message);
+  const element = h("div", { class: "stage" }, canvas, printed, layer, message);
   return { canvas, layer, printed, message, element };
 }
 
-/** A page is printed in its light colours, the picture as it stands. */
+/** @returns {string} the present picture in the light colours of paper */
+function picture_for_paper(viewer) {
+  const root = document.documentElement;
+  const { theme } = root.dataset;
+  root.dataset.theme = "light";
+  viewer.set_colours(view_colours());
+  const picture = viewer.picture();
+  root.dataset.theme = theme;
+  viewer.set_colours(view_colours());
+  return picture;
+}
+
+/** The printed picture and what lies over it keep the shape that they have on the screen. */
 function follow_printing(stage, viewer) {
   window.addEventListener("beforeprint", () => {
-    stage.printed.src = viewer.picture();
+    stage.printing = true;
+    stage.printed.src = picture_for_paper(viewer);
     stage.printed.hidden = false;
   });
-  window.addEventListener("afterprint", () => { stage.printed.hidden = true; });
+  window.addEventListener("afterprint", () => {
+    stage.printing = false;
+    stage.printed.hidden = true;
+  });
 }
 
 /** The observer's first call tells nothing new. */
-function follow_size(canvas, viewer) {
+function follow_size(stage, viewer) {
+  const { canvas } = stage;
   let [width, height] = [canvas.clientWidth, canvas.clientHeight];
   new ResizeObserver(() => {
-    if (canvas.clientWidth === width && canvas.clientHeight === height) return;
+    if (stage.printing || (canvas.clientWidth === width && canvas.clientHeight === height)) return;
     [width, height] = [canvas.clientWidth, canvas.clientHeight];
     viewer.resize();
   }).observe(canvas);
@@ -149,7 +166,7 @@ function start_view(create_viewer, { stage, actuator, present, report, pins, too
     return marker_place(marker.positions_mm, actuator.poses[i]);
   };
   const on_drawn = () => {
-    if (!viewer) return;
+    if (!viewer || stage.printing) return;
     draw_overlay(stage.layer, viewer, line_shown ? actuator.centre_line() : []);
     pins?.draw(viewer, place_of);
   };
@@ -165,7 +182,7 @@ function start_view(create_viewer, { stage, actuator, present, report, pins, too
   follow_keys(stage.canvas, viewer);
   follow_printing(stage, viewer);
   present.follow(() => viewer.set_poses(actuator.poses));
-  follow_size(stage.canvas, viewer);
+  follow_size(stage, viewer);
   new MutationObserver(() => viewer.set_colours(view_colours()))
     .observe(document.documentElement, { attributeFilter: ["data-theme"] });
   viewer.draw();

@@ -31,7 +31,7 @@ function read_meshes(file) {
   };
   return new Map(gltf.nodes.filter((node) => node.mesh !== undefined).map((node) => {
     const { primitives: [primitive], extras } = gltf.meshes[node.mesh];
-    const targets = new Map((primitive.targets ?? []).map((target, i) => [Number(extras.targetNames[i]), values(target.POSITION)]));
+    const targets = new Map((primitive.targets ?? []).map((target, i) => [parseFloat(extras.targetNames[i]), values(target.POSITION)]));
     return [node.name, { rest: values(primitive.attributes.POSITION), targets }];
   }));
 }

@@ -19,7 +19,7 @@ function body(node, shape, segment) {
   const rest = at(0);
   const pressures = STATES_KPA[segment - 1].filter((p) => p !== 0);
   return { node, positions: Float32Array.from(rest), indices: Uint32Array.from(shape.triangles),
-    targets: pressures.map((p) => Float32Array.from(at(p), (value, i) => value - rest[i])), names: pressures.map(String) };
+    targets: pressures.map((p) => Float32Array.from(at(p), (value, i) => value - rest[i])), names: pressures.map((p) => `${p} kPa`) };
 }
 
 function segment_view(number) {
