@@ -11,13 +11,13 @@
 #include <gtest/gtest.h>
 
 #include "app/file_error.h"
-#include "report/preview.h"
 #include "export/mesh_file.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/fillet.h"
 #include "model/response.h"
+#include "report/preview.h"
 #include "spec/material_library.h"
 #include "spec/unsupported_design.h"
 #include "tests/property/exact_solid.h"

@@ -10,11 +10,11 @@
 #include <gtest/gtest.h>
 
 #include "app/build_command.h"
-#include "report/preview.h"
 #include "export/mesh_file.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/audit.h"
 #include "geometry/solid/tube_solids.h"
+#include "report/preview.h"
 #include "spec/read_design.h"
 #include "tests/property/random_design_text.h"
 #include "tests/unit/export/test_folder.h"
