@@ -54,7 +54,7 @@ function view_panel({ report, view }, segments, present) {
 
 /** @returns {string} why there is no picture, or "" */
 function missing_picture(actuator, create_viewer) {
-  if (actuator.shown.length === 0) return "There is no mesh to show.";
+  if (actuator.shown.length === 0) return actuator.problem || "There is no mesh to show.";
   return create_viewer ? "" : LEFT_OUT;
 }
 
@@ -133,6 +133,7 @@ function start_page() {
     page = build_page(read_data());
   } catch (error) {
     by_id("main").prepend(h("p", { class: "alarm", role: "alert" }, `The data of this page cannot be read: ${error.message}`));
+    done({ viewer: false });
     return;
   }
   const { actuator, present, start } = page;

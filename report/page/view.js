@@ -9,11 +9,22 @@ class Actuator {
   /** @param {PageData} data */
   constructor({ view, model }) {
     this.segments = list(view.segments).filter((segment) => list(segment.states).length > 0);
-    this.bodies = model ? read_glb(bytes_of_base64(model)) : new Map();
+    this.problem = "";
+    this.bodies = this.readable_bodies(model);
     this.shown = this.segments.flatMap((segment, i) => list(segment.bodies)
       .filter(({ node }) => this.bodies.has(node))
       .map(({ node, role }) => Object.assign(this.bodies.get(node), { role, segment: i })));
     this.set(this.segments.map(() => 0));
+  }
+
+  /** Damaged meshes cost the picture, not the page. @param {string} model base64 */
+  readable_bodies(model) {
+    try {
+      return model ? read_glb(bytes_of_base64(model)) : new Map();
+    } catch (error) {
+      this.problem = `The meshes cannot be read: ${error.message}.`;
+      return new Map();
+    }
   }
 
   /** @param {number[]} pressures_kPa one for each segment */

@@ -92,6 +92,33 @@ async function check_without_view(browser, file, data, what, message) {
   await opened.page.close();
 }
 
+/** @returns {string} the page with other contents of one of its blocks of data */
+function with_block(html, id, contents) {
+  return html.replace(new RegExp(`(<script[^>]* id="${id}">)[^<]*`), (_, open_tag) => open_tag + contents);
+}
+
+/** Damaged meshes cost the picture alone; damaged data are said to be so. */
+async function check_damaged(browser, data, work) {
+  const opened = async (name, html) => {
+    const file = join(work, name);
+    writeFileSync(file, html);
+    return open(browser, file);
+  };
+  await check("damaged meshes", async () => {
+    const { page, said } = await opened("meshes.html", with_block(data.html, "model", Buffer.from("glTF, but no more of it").toString("base64")));
+    assert.match(await page.locator(".stage .message").textContent(), /^The meshes cannot be read/);
+    assert.ok(await page.locator("#dimensions table").count() > 0, "tables are gone");
+    assert.deepEqual(said, []);
+    await page.close();
+  });
+  await check("damaged data", async () => {
+    const { page, said } = await opened("data.html", with_block(data.html, "report", "{"));
+    assert.match(await page.getByRole("alert").textContent(), /cannot be read/);
+    assert.deepEqual(said, []);
+    await page.close();
+  });
+}
+
 /** @returns {string} the page as a build without npm writes it: its last script is empty */
 function without_bundle(html) {
   return `${html.slice(0, html.lastIndexOf("<script>"))}<script>\n\n</script>\n</body>\n</html>\n`;
@@ -128,6 +155,7 @@ async function main([given, option, folder]) {
     await check_whole_page(browser, file, data);
     await check_dark(browser, file);
     await check_phone(browser, file);
+    await check_damaged(browser, data, work);
     const bare = join(work, "bare.html");
     writeFileSync(bare, without_bundle(data.html));
     await check_without_view(browser, bare, data, "built without npm", /^3-D view left out: the program was built without npm\.$/);
