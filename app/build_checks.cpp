@@ -26,11 +26,12 @@ Design narrowed(Design design, const Plan& plan) {
 }  // namespace
 
 CheckFindings checks_before_build(const Design& design, const Plan& plan) {
+  if (plan.runs(Stage::report)) return check_design(design);
   const bool molds = plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold);
   CheckScope scope;
   scope.printing = plan.runs(Stage::lattice) || plan.runs(Stage::liner) || molds;
   scope.casting = molds;
-  scope.inflating = plan.runs(Stage::preview) || plan.runs(Stage::report);
+  scope.inflating = plan.runs(Stage::preview);
   return check_design(narrowed(design, plan), scope);
 }
 

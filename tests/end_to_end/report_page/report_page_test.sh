@@ -6,15 +6,8 @@ set -euo pipefail
 node=$1 modules=$2 page_from_parts=$3 kind=$4
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 
-skip() {
-  echo "skipped: $*"
-  exit 77
-}
-
-[[ -x $node ]] || skip "there is no node"
-export CHROMIUM=${CHROMIUM:-$(command -v chromium || true)}
-[[ -x $CHROMIUM ]] || skip "there is no chromium"
-[[ -d $modules/playwright-core ]] || skip "npm's packages are not there: $modules"
+# shellcheck source=tests/end_to_end/report_page/needs.sh
+. "$here/needs.sh"
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
