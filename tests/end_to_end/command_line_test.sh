@@ -47,7 +47,8 @@ says "skip  horseshoe-law  no strand is a horseshoe"
 says "skip  bending        every section is symmetric about its axis"
 says "run   flat-pattern   [make] names flat_pattern"
 says "skip  lattice-mold   [make] does not name lattice_mold"
-says "skip  report         [make] does not name report"
+says "run   report         [make] names report"
+says "skip  liner-mold     [make] does not name liner_mold"
 holds test ! -e planned
 expect 0 "$program" build "$design" --dry-run --only lattice
 says "skip  prediction     nothing that is made needs a deformed shape"
