@@ -19,8 +19,7 @@ function scientific(value) {
   if (!is_number(value)) return MISSING;
   if (value === 0) return "0";
   const [mantissa, exponent] = value.toExponential(1).split("e");
-  const raised = String(Number(exponent)).replace(/./g, (c) =>
-    c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)]);
+  const raised = String(Number(exponent)).replace(/./g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)]));
   return `${with_minus(mantissa)}·10${raised}`;
 }
 
