@@ -19,8 +19,8 @@ function place_text(finding) {
   const words = [];
   if (finding.segment > 0) words.push(`segment ${finding.segment}`);
   if (finding.part) words.push(finding.part);
-  if (is_number(finding.theta_deg)) words.push(`θ ${with_unit(finding.theta_deg, "°")}`);
-  if (is_number(finding.z_mm)) words.push(`z ${with_unit(finding.z_mm, "mm")}`);
+  if (is_number(finding.theta_deg)) words.push(`θ\u00a0${with_unit(finding.theta_deg, "°")}`);
+  if (is_number(finding.z_mm)) words.push(`z\u00a0${with_unit(finding.z_mm, "mm")}`);
   if (is_number(finding.pressure_kPa)) words.push(`at ${with_unit(finding.pressure_kPa, "kPa")}`);
   return words.join(", ");
 }
@@ -67,8 +67,8 @@ function show_checks(report, placed, on_show) {
         {
           head: "Finding",
           cell: (f) => [
-            h("p", {}, f.message),
-            f.remedy ? h("p", { class: "remedy" }, f.remedy) : "",
+            h("p", {}, capital(f.message ?? "")),
+            f.remedy ? h("p", { class: "remedy" }, capital(f.remedy)) : "",
             h("code", {}, f.code),
           ],
         },

@@ -50,7 +50,7 @@ function count(value) {
 /** @param {number|null} value @param {string} unit @param {function} format of the number */
 function with_unit(value, unit, format = measured) {
   if (!is_number(value)) return MISSING;
-  return unit === "°" ? `${format(value)}°` : `${format(value)}${unit ? `\u00a0${unit}` : ""}`;
+  return unit === "°" || unit === "degrees" ? `${format(value)}°` : `${format(value)}${unit ? `\u00a0${unit}` : ""}`;
 }
 
 /** @param {number} n @param {string} one @param {string} many @returns {string} "1 error", "2 errors" */
