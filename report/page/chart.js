@@ -43,12 +43,20 @@ function chart_scales({ points, band, marks, turning }) {
   const known = [...points, ...list(band).flat(), ...turning].filter((p) => is_number(p.y));
   const xs = points.map((p) => p.x);
   const reach = Math.max(...xs) - Math.min(...xs) || 1;
-  const near = marks.map((mark) => mark.x).filter((x) => x > Math.min(...xs) - 0.25 * reach && x < Math.max(...xs) + 0.25 * reach);
+  const near = marks
+    .map((mark) => mark.x)
+    .filter((x) => x > Math.min(...xs) - 0.25 * reach && x < Math.max(...xs) + 0.25 * reach);
   const [x0, x1] = [Math.min(...xs, ...near), Math.max(...xs, ...near) + (xs.length === 1 ? 1 : 0)];
   const [y0, y1] = wide_range(known.map((p) => p.y));
   const { width, height, left, right, top, bottom } = CHART;
-  return { x0, x1, y0, y1, x: (value) => left + ((value - x0) / (x1 - x0)) * (width - left - right),
-    y: (value) => height - bottom - ((value - y0) / (y1 - y0)) * (height - top - bottom) };
+  return {
+    x0,
+    x1,
+    y0,
+    y1,
+    x: (value) => left + ((value - x0) / (x1 - x0)) * (width - left - right),
+    y: (value) => height - bottom - ((value - y0) / (y1 - y0)) * (height - top - bottom),
+  };
 }
 
 /** @returns {SVGElement[]} lines, ticks and names of both axes */
@@ -58,22 +66,38 @@ function chart_axes(scales, unit) {
   const [x_texts, y_texts] = [tick_texts(xs), tick_texts(ys)];
   const across = xs.map((value, i) => [
     svg("line", { class: "grid", x1: scales.x(value), y1: top, x2: scales.x(value), y2: height - bottom }),
-    svg("text", { class: "tick-text", x: scales.x(value), y: height - bottom + 16, "text-anchor": "middle" }, x_texts[i])]);
+    svg(
+      "text",
+      { class: "tick-text", x: scales.x(value), y: height - bottom + 16, "text-anchor": "middle" },
+      x_texts[i],
+    ),
+  ]);
   const up = ys.map((value, i) => [
     svg("line", { class: "grid", x1: left, y1: scales.y(value), x2: width - right, y2: scales.y(value) }),
-    svg("text", { class: "tick-text", x: left - 7, y: scales.y(value) + 4, "text-anchor": "end" }, y_texts[i])]);
-  return [...across.flat(), ...up.flat(),
+    svg("text", { class: "tick-text", x: left - 7, y: scales.y(value) + 4, "text-anchor": "end" }, y_texts[i]),
+  ]);
+  return [
+    ...across.flat(),
+    ...up.flat(),
     svg("path", { class: "axis-line", d: `M${left} ${top}V${height - bottom}H${width - right}` }),
-    svg("text", { class: "axis-text", x: (left + width - right) / 2, y: height - 8, "text-anchor": "middle" }, "Pressure, kPa"),
-    unit ? svg("text", { class: "axis-text", x: left - 7, y: top - 9, "text-anchor": "end" }, unit) : null];
+    svg(
+      "text",
+      { class: "axis-text", x: (left + width - right) / 2, y: height - 8, "text-anchor": "middle" },
+      "Pressure, kPa",
+    ),
+    unit ? svg("text", { class: "axis-text", x: left - 7, y: top - 9, "text-anchor": "end" }, unit) : null,
+  ];
 }
 
 /** @param {Object[]} points @returns {string} a path through those that have a value */
 function path_through(points, scales) {
-  return points.filter((p) => is_number(p.y)).map((p, i) => `${i ? "L" : "M"}${scales.x(p.x).toFixed(2)} ${scales.y(p.y).toFixed(2)}`).join("");
+  return points
+    .filter((p) => is_number(p.y))
+    .map((p, i) => `${i ? "L" : "M"}${scales.x(p.x).toFixed(2)} ${scales.y(p.y).toFixed(2)}`)
+    .join("");
 }
 
-/** @param {Object[]} points @returns {Array<[boolean, Object[]]>} runs that are stable or not, each with its neighbour */
+/** @returns {Array<[boolean, Object[]]>} runs of points that are stable or not, each with its neighbour */
 function runs_of_stability(points) {
   const runs = [];
   for (const point of points) {
@@ -97,38 +121,67 @@ function stable_field(scales, { stable: [from, to], points }) {
   const span = scales.x(high) - scales.x(low);
   const first = value_at(points, low) ?? points[0].y;
   const y = is_number(first) && scales.y(first) > height / 2 ? top + 15 : height - bottom - 7;
-  return [svg("rect", { class: "stable", x: scales.x(low), y: top, width: span, height: height - top - bottom }),
-    span > 50 ? svg("text", { class: "field-text", x: scales.x(low) + 6, y }, "stable") : null];
+  return [
+    svg("rect", { class: "stable", x: scales.x(low), y: top, width: span, height: height - top - bottom }),
+    span > 50 ? svg("text", { class: "field-text", x: scales.x(low) + 6, y }, "stable") : null,
+  ];
 }
 
 /** @param {Object[]} marks @returns {SVGElement[]} lines at limit points with their names */
 function limit_lines(scales, marks) {
   const { width, height, top, right, bottom } = CHART;
-  return marks.filter((mark) => mark.x >= scales.x0 && mark.x <= scales.x1).flatMap((mark, i) => {
-    const at = scales.x(mark.x);
-    const left = at > width / 2;
-    return [svg("line", { class: "limit", x1: at, y1: top, x2: at, y2: height - bottom }),
-      svg("text", { class: "limit-text", x: left ? Math.min(at + 2, width - right) : at - 2, y: top - 9 - 12 * (i % 2),
-        "text-anchor": left ? "end" : "start" }, mark.label)];
-  });
+  return marks
+    .filter((mark) => mark.x >= scales.x0 && mark.x <= scales.x1)
+    .flatMap((mark, i) => {
+      const at = scales.x(mark.x);
+      const left = at > width / 2;
+      return [
+        svg("line", { class: "limit", x1: at, y1: top, x2: at, y2: height - bottom }),
+        svg(
+          "text",
+          {
+            class: "limit-text",
+            x: left ? Math.min(at + 2, width - right) : at - 2,
+            y: top - 9 - 12 * (i % 2),
+            "text-anchor": left ? "end" : "start",
+          },
+          mark.label,
+        ),
+      ];
+    });
 }
 
 /** @returns {SVGElement|null} the band between the branches of the softest and the stiffest material */
 function band_field(scales, band) {
   if (!band) return null;
-  const [softest, stiffest] = band.map((branch) => branch.filter((p) => is_number(p.y) && p.x >= scales.x0 && p.x <= scales.x1));
+  const [softest, stiffest] = band.map((branch) =>
+    branch.filter((p) => is_number(p.y) && p.x >= scales.x0 && p.x <= scales.x1),
+  );
   if (softest.length === 0 || stiffest.length === 0) return null;
-  return svg("path", { class: "band", d: `${path_through(softest, scales)}${path_through([...stiffest].reverse(), scales).replace("M", "L")}Z` });
+  return svg("path", {
+    class: "band",
+    d: `${path_through(softest, scales)}${path_through([...stiffest].reverse(), scales).replace("M", "L")}Z`,
+  });
 }
 
 /** @param {ChartContent} content @returns {SVGElement[]} everything that stands still */
 function chart_body(content, scales) {
   const { points, band, marks, turning, unit } = content;
-  return [...stable_field(scales, content), ...chart_axes(scales, unit), band_field(scales, band),
-    ...runs_of_stability(points).map(([steady, run]) => svg("path", { class: steady ? "curve" : "curve unstable", d: path_through(run, scales) })),
+  return [
+    ...stable_field(scales, content),
+    ...chart_axes(scales, unit),
+    band_field(scales, band),
+    ...runs_of_stability(points).map(([steady, run]) =>
+      svg("path", { class: steady ? "curve" : "curve unstable", d: path_through(run, scales) }),
+    ),
     ...limit_lines(scales, marks),
-    ...turning.map((p) => svg("path", { class: "turning", d: `M${scales.x(p.x)} ${scales.y(p.y) - 6}l6 6l-6 6l-6-6z` })),
-    ...points.filter((p) => p.asked && is_number(p.y)).map((p) => svg("circle", { class: "asked", cx: scales.x(p.x), cy: scales.y(p.y), r: 3.2 }))];
+    ...turning.map((p) =>
+      svg("path", { class: "turning", d: `M${scales.x(p.x)} ${scales.y(p.y) - 6}l6 6l-6 6l-6-6z` }),
+    ),
+    ...points
+      .filter((p) => p.asked && is_number(p.y))
+      .map((p) => svg("circle", { class: "asked", cx: scales.x(p.x), cy: scales.y(p.y), r: 3.2 })),
+  ];
 }
 
 /** @returns {number|null} y between the points at x */
@@ -174,7 +227,10 @@ function follow_reader(picture, content, scales, reading, present) {
   };
   const rest = () => {
     now = Math.min(high, Math.max(low, present.x));
-    set_attributes(picture, { "aria-valuenow": now, "aria-valuetext": reading.show(present.x, false) || "beyond the curve" });
+    set_attributes(picture, {
+      "aria-valuenow": now,
+      "aria-valuetext": reading.show(present.x, false) || "beyond the curve",
+    });
   };
   picture.addEventListener("pointermove", (event) => {
     const box = picture.getBoundingClientRect();
@@ -184,7 +240,12 @@ function follow_reader(picture, content, scales, reading, present) {
   picture.addEventListener("pointerleave", rest);
   picture.addEventListener("blur", rest);
   picture.addEventListener("keydown", (event) => {
-    const next = value_after_key(event.key, now, { low, high, stops: content.points.filter((p) => p.asked).map((p) => p.x), step });
+    const next = value_after_key(event.key, now, {
+      low,
+      high,
+      stops: content.points.filter((p) => p.asked).map((p) => p.x),
+      step,
+    });
     if (next === null) return;
     event.preventDefault();
     read(next);
@@ -197,11 +258,29 @@ function chart(content, label) {
   const scales = chart_scales(content);
   const reading = reading_line(content, scales);
   const present = { x: 0 };
-  const picture = svg("svg", { class: "chart", viewBox: `0 0 ${CHART.width} ${CHART.height}`, role: "slider", tabindex: "0",
-    "aria-label": `${label}: read the curve at a pressure`, "aria-orientation": "horizontal", "aria-valuemin": content.points[0].x,
-    "aria-valuemax": content.points.at(-1).x }, chart_body(content, scales), reading.element);
+  const picture = svg(
+    "svg",
+    {
+      class: "chart",
+      viewBox: `0 0 ${CHART.width} ${CHART.height}`,
+      role: "slider",
+      tabindex: "0",
+      "aria-label": `${label}: read the curve at a pressure`,
+      "aria-orientation": "horizontal",
+      "aria-valuemin": content.points[0].x,
+      "aria-valuemax": content.points.at(-1).x,
+    },
+    chart_body(content, scales),
+    reading.element,
+  );
   const rest = follow_reader(picture, content, scales, reading, present);
   rest();
   const element = h("figure", { class: "chart-box" }, h("figcaption", {}, content.name), picture);
-  return { element, set_present: (x) => { present.x = x; rest(); } };
+  return {
+    element,
+    set_present: (x) => {
+      present.x = x;
+      rest();
+    },
+  };
 }

@@ -6,8 +6,12 @@ const SEVERITY_SIGNS = { error: "✕", warning: "▲", note: "●" };
 
 /** @param {string} severity @returns {HTMLElement} sign and word: colour alone tells nothing */
 function severity_mark(severity) {
-  return h("span", { class: `severity ${severity}` },
-    h("span", { "aria-hidden": "true" }, SEVERITY_SIGNS[severity] ?? "●"), ` ${severity}`);
+  return h(
+    "span",
+    { class: `severity ${severity}` },
+    h("span", { "aria-hidden": "true" }, SEVERITY_SIGNS[severity] ?? "●"),
+    ` ${severity}`,
+  );
 }
 
 /** @param {Object} finding @returns {string} where on the actuator, as far as it is known */
@@ -15,8 +19,8 @@ function place_text(finding) {
   const words = [];
   if (finding.segment > 0) words.push(`segment ${finding.segment}`);
   if (finding.part) words.push(finding.part);
-  if (is_number(finding.theta_deg)) words.push(`θ ${with_unit(finding.theta_deg, "°")}`);
-  if (is_number(finding.z_mm)) words.push(`z ${with_unit(finding.z_mm, "mm")}`);
+  if (is_number(finding.theta_deg)) words.push(`θ\u00a0${with_unit(finding.theta_deg, "°")}`);
+  if (is_number(finding.z_mm)) words.push(`z\u00a0${with_unit(finding.z_mm, "mm")}`);
   if (is_number(finding.pressure_kPa)) words.push(`at ${with_unit(finding.pressure_kPa, "kPa")}`);
   return words.join(", ");
 }
@@ -30,8 +34,18 @@ function value_text(finding) {
 
 /** @param {number} index @param {function(number)} on_show @returns {HTMLElement} */
 function show_button(index, on_show) {
-  return h("button", { type: "button", class: "small", "aria-label": `Show finding ${index + 1} in the 3-D view`,
-    "aria-pressed": "false", "data-finding": index, onclick: () => on_show(index) }, "Show");
+  return h(
+    "button",
+    {
+      type: "button",
+      class: "small",
+      "aria-label": `Show finding ${index + 1} in the 3-D view`,
+      "aria-pressed": "false",
+      "data-finding": index,
+      onclick: () => on_show(index),
+    },
+    "Show",
+  );
 }
 
 /**
@@ -44,15 +58,30 @@ function show_checks(report, placed, on_show) {
   const box = by_id("checks-content");
   box.append(h("p", {}, `The checks gave ${checks_summary(report.checks)}.`));
   if (findings.length === 0) return;
-  box.append(table_of("Findings of the checks", [
-    { head: "No.", number: true, cell: (_, i) => String(i + 1) },
-    { head: "Severity", cell: (f) => severity_mark(f.severity) },
-    { head: "Finding", cell: (f) => [h("p", {}, f.message), f.remedy ? h("p", { class: "remedy" }, f.remedy) : "",
-      h("code", {}, f.code)] },
-    { head: "Where", cell: place_text },
-    { head: "Value", number: true, cell: value_text },
-    ...(placed.size ? [{ head: "In the view", cell: (_, i) => (placed.has(i) ? show_button(i, on_show) : MISSING) }] : []),
-  ], findings, (_, i) => ({ id: `finding-${i}`, tabindex: "-1" })));
+  box.append(
+    table_of(
+      "Findings of the checks",
+      [
+        { head: "No.", number: true, cell: (_, i) => String(i + 1) },
+        { head: "Severity", cell: (f) => severity_mark(f.severity) },
+        {
+          head: "Finding",
+          cell: (f) => [
+            h("p", {}, capital(f.message ?? "")),
+            f.remedy ? h("p", { class: "remedy" }, capital(f.remedy)) : "",
+            h("code", {}, f.code),
+          ],
+        },
+        { head: "Where", cell: place_text },
+        { head: "Value", number: true, cell: value_text },
+        ...(placed.size
+          ? [{ head: "In the view", cell: (_, i) => (placed.has(i) ? show_button(i, on_show) : MISSING) }]
+          : []),
+      ],
+      findings,
+      (_, i) => ({ id: `finding-${i}`, tabindex: "-1" }),
+    ),
+  );
 }
 
 /** Marks the finding that the view shows now. @param {number|null} index */

@@ -11,14 +11,23 @@ function pleasant_step(range) {
 
 /** @param {number} pressure_kPa @returns {string} "23.5 kPa" */
 function pressure_text(pressure_kPa) {
-  return with_unit(Math.round(pressure_kPa * 1000) / 1000, "kPa", (value) => with_minus(String(Number(value.toFixed(2)))));
+  return with_unit(Math.round(pressure_kPa * 1000) / 1000, "kPa", (value) =>
+    with_minus(String(Number(value.toFixed(2)))),
+  );
 }
 
 /** @param {string} key @returns {number|null} the slider's value after the key; null when it is none of its keys */
 function value_after_key(key, value, { low, high, stops, step }) {
-  const next = { ArrowRight: value + step, ArrowUp: value + step, ArrowLeft: value - step, ArrowDown: value - step,
-    Home: low, End: high, PageUp: stops.find((stop) => stop > value + 1e-9) ?? high,
-    PageDown: stops.findLast((stop) => stop < value - 1e-9) ?? low }[key];
+  const next = {
+    ArrowRight: value + step,
+    ArrowUp: value + step,
+    ArrowLeft: value - step,
+    ArrowDown: value - step,
+    Home: low,
+    End: high,
+    PageUp: stops.find((stop) => stop > value + 1e-9) ?? high,
+    PageDown: stops.findLast((stop) => stop < value - 1e-9) ?? low,
+  }[key];
   if (next === undefined) return null;
   const kept = key.startsWith("Arrow") ? Math.round(next / step) * step : next;
   return Math.min(high, Math.max(low, kept));
@@ -26,8 +35,12 @@ function value_after_key(key, value, { low, high, stops, step }) {
 
 /** @param {number[]} stops @returns {SVGElement} a tick below the slider for every computed pressure */
 function slider_ticks(stops, low, high) {
-  const ticks = stops.map((stop) => h("span", { class: stop === 0 ? "tick rest" : "tick",
-    style: `--at:${high > low ? (stop - low) / (high - low) : 0}` }));
+  const ticks = stops.map((stop) =>
+    h("span", {
+      class: stop === 0 ? "tick rest" : "tick",
+      style: `--at:${high > low ? (stop - low) / (high - low) : 0}`,
+    }),
+  );
   return h("div", { class: "ticks", "aria-hidden": "true" }, ticks);
 }
 
@@ -63,8 +76,13 @@ function pressure_slider(label, stops, on_input) {
     input.setAttribute("aria-valuetext", "the segments differ");
     output.textContent = "differ";
   };
-  const element = h("div", { class: "slider" }, h("div", { class: "slider-head" }, text, output), input,
-    slider_ticks(stops, low, high));
+  const element = h(
+    "div",
+    { class: "slider" },
+    h("div", { class: "slider-head" }, text, output),
+    input,
+    slider_ticks(stops, low, high),
+  );
   return { element, show, differ };
 }
 
@@ -78,15 +96,21 @@ function sliders_for(segments, present) {
   const moved = segments.map((segment, i) => [segment, i]).filter(([segment]) => segment.states.length > 1);
   if (moved.length === 0) return [];
   const own = moved.map(([segment, i]) => {
-    const slider = pressure_slider(segments.length > 1 ? `segment ${segment.number}` : "pressure",
-      computed_pressures(segment), (value) => present.set_one(i, value));
+    const slider = pressure_slider(
+      segments.length > 1 ? `segment ${segment.number}` : "pressure",
+      computed_pressures(segment),
+      (value) => present.set_one(i, value),
+    );
     present.follow((pressures) => slider.show(pressures[i]));
     return slider.element;
   });
   if (segments.length === 1) return own;
   const all = [...new Set(moved.flatMap(([segment]) => computed_pressures(segment)))].sort((a, b) => a - b);
   let asked = 0;
-  const common = pressure_slider("all segments", all, (value) => { asked = value; present.set_same(value); });
+  const common = pressure_slider("all segments", all, (value) => {
+    asked = value;
+    present.set_same(value);
+  });
   present.follow((pressures) => {
     if (pressures.every((value) => value === pressures[0])) asked = pressures[0];
     const same = pressures.every((value, i) => value === present.held(i, asked));
@@ -96,12 +120,16 @@ function sliders_for(segments, present) {
   return [common.element, h("div", { class: own.length > 4 ? "sliders many" : "sliders" }, own)];
 }
 
-/** @param {Object[]} cases of the view @returns {HTMLElement|null} a choice that sets the sliders of several segments */
+/** @param {Object[]} cases of the view @returns {HTMLElement|null} a choice that sets all sliders of a chain */
 function case_choice(cases, present) {
   if (cases.length === 0 || present.ranges.length < 2) return null;
   const name = (one) => `${list(one.pressures_kPa).map(given).join(" / ")} kPa`;
-  const choice = h("select", { id: "load-case" }, h("option", { value: "" }, "by the sliders"),
-    cases.map((one, i) => h("option", { value: i }, name(one))));
+  const choice = h(
+    "select",
+    { id: "load-case" },
+    h("option", { value: "" }, "by the sliders"),
+    cases.map((one, i) => h("option", { value: i }, name(one))),
+  );
   choice.addEventListener("change", () => {
     if (choice.value !== "") present.set_all(list(cases[Number(choice.value)].pressures_kPa));
   });
@@ -113,7 +141,8 @@ function case_choice(cases, present) {
 }
 
 /**
- * Sweeps the pressure of all segments from rest to its end and back, once. Where less motion is asked for, it goes in eight steps.
+ * Sweeps the pressure of all segments from rest to its end and back, once. Where less motion is asked for, it goes in
+ * eight steps.
  * @param {PresentPressures} present
  * @returns {HTMLElement}
  */

@@ -13,8 +13,10 @@ function widths_text(widths) {
 /** @param {Object|null} horseshoe @returns {string} */
 function horseshoe_text(horseshoe) {
   if (!horseshoe) return "straight";
-  return `horseshoe, radius ${with_unit(horseshoe.radius_mm, "mm", given)}, arc ` +
-    `${with_unit(horseshoe.arc_deg, "°", given)}${horseshoe.alternate ? ", alternating" : ""}`;
+  return (
+    `horseshoe, radius ${with_unit(horseshoe.radius_mm, "mm", given)}, arc ` +
+    `${with_unit(horseshoe.arc_deg, "°", given)}${horseshoe.alternate ? ", alternating" : ""}`
+  );
 }
 
 /** @param {number} most grids of any segment @returns {Array} lines of property_table() */
@@ -26,17 +28,20 @@ function grid_lines(most) {
       const grid = list(segment.lattice?.grids)[i];
       return grid ? value(grid) : null;
     };
-    lines.push([`${name}, angle`, "°", of((grid) => given(grid.angle_deg))],
+    lines.push(
+      [`${name}, angle`, "°", of((grid) => given(grid.angle_deg))],
       [`${name}, strands`, "", of((grid) => count(grid.count))],
       [`${name}, strand width`, "mm", of((grid) => widths_text(grid.widths_mm))],
-      [`${name}, strand shape`, "", of((grid) => horseshoe_text(grid.horseshoe))]);
+      [`${name}, strand shape`, "", of((grid) => horseshoe_text(grid.horseshoe))],
+    );
   }
   return lines;
 }
 
 /** @param {Object} rings @returns {string} */
 function rings_text(rings) {
-  const place = is_number(rings.count) ? counted(rings.count, "ring")
+  const place = is_number(rings.count)
+    ? counted(rings.count, "ring")
     : `every ${with_unit(rings.pitch_mm, "mm", given)}`;
   return `${place}, ${with_unit(rings.width_mm, "mm", given)} wide`;
 }
@@ -76,21 +81,31 @@ function dimension_lines(segments, pieces) {
 
 /** @param {Object|null} parameters of a law @returns {string} "c1 = 0.019, c2 = 0.0009" */
 function parameters_text(parameters) {
-  const write = ([name, value]) => (value !== null && typeof value === "object"
-    ? `${name} = ${JSON.stringify(value)}` : `${name} = ${is_number(value) ? given(value) : value}`);
-  return Object.entries(parameters ?? {}).map(write).join(", ") || MISSING;
+  const write = ([name, value]) =>
+    value !== null && typeof value === "object"
+      ? `${name} = ${JSON.stringify(value)}`
+      : `${name} = ${is_number(value) ? given(value) : value}`;
+  return (
+    Object.entries(parameters ?? {})
+      .map(write)
+      .join(", ") || MISSING
+  );
 }
 
 /** @param {Object[]} materials @returns {HTMLElement} */
 function material_table(materials) {
-  return table_of("Materials", [
-    { head: "Material", cell: (m) => m.name },
-    { head: "Used for", cell: (m) => listed(list(m.role)) },
-    { head: "Law", cell: (m) => m.law },
-    { head: "Parameters", cell: (m) => parameters_text(m.parameters) },
-    { head: "Density", unit: "g/cm³", number: true, cell: (m) => given(m.density_g_per_cm3) },
-    { head: "Source", cell: (m) => m.source || null },
-  ], materials);
+  return table_of(
+    "Materials",
+    [
+      { head: "Material", cell: (m) => m.name },
+      { head: "Used for", cell: (m) => listed(list(m.role)) },
+      { head: "Law", cell: (m) => m.law },
+      { head: "Parameters", cell: (m) => parameters_text(m.parameters) },
+      { head: "Density", unit: "g/cm³", number: true, cell: (m) => given(m.density_g_per_cm3) },
+      { head: "Source", cell: (m) => m.source || null },
+    ],
+    materials,
+  );
 }
 
 /** @param {Object} report */
@@ -100,8 +115,15 @@ function show_dimensions(report) {
   const heads = segments.map((segment) => (segments.length > 1 ? `Segment ${segment.number}` : "Value"));
   box.append(property_table("Dimensions", heads, dimension_lines(segments, list(report.pieces)), segments));
   if (is_number(report.design?.tolerance_mm)) {
-    box.append(h("p", { class: "note" }, "Curved surfaces are meshed to within ",
-      with_unit(report.design.tolerance_mm, "mm", given), "."));
+    box.append(
+      h(
+        "p",
+        { class: "note" },
+        "Curved surfaces are meshed to within ",
+        with_unit(report.design.tolerance_mm, "mm", given),
+        ".",
+      ),
+    );
   }
   const materials = list(report.materials);
   if (materials.length) box.append(material_table(materials));

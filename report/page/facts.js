@@ -4,8 +4,12 @@
 
 /** @param {string} name @param {string} value @param {string} detail */
 function fact(name, value, detail = "") {
-  return h("div", { class: "fact" }, h("dt", {}, name),
-    h("dd", {}, value, detail ? h("span", { class: "detail" }, detail) : null));
+  return h(
+    "div",
+    { class: "fact" },
+    h("dt", {}, name),
+    h("dd", {}, value, detail ? h("span", { class: "detail" }, detail) : null),
+  );
 }
 
 /** @param {Object[]} segments of the design @returns {HTMLElement[]} */
@@ -15,23 +19,29 @@ function size_facts(segments) {
   const outer = Math.max(...segments.map((segment) => segment.outer_radius_mm ?? 0));
   const inner = Math.min(...segments.map((segment) => segment.inner_radius_mm ?? Infinity));
   return [
-    fact("Length", with_unit(length, "mm", given),
-      segments.length > 1 ? `${segments.length} segments` : ""),
+    fact("Length", with_unit(length, "mm", given), segments.length > 1 ? `${segments.length} segments` : ""),
     fact("Outer diameter", with_unit(2 * outer, "mm", given), `bore ${with_unit(2 * inner, "mm", given)}`),
   ];
 }
 
 /** @param {Object} report @param {string} role @returns {string} materials that have it */
 function materials_for(report, role) {
-  return listed(list(report.materials).filter((material) => list(material.role).includes(role))
-    .map((material) => material.name));
+  return listed(
+    list(report.materials)
+      .filter((material) => list(material.role).includes(role))
+      .map((material) => material.name),
+  );
 }
 
 /** @param {Object} report @returns {HTMLElement[]} */
 function material_facts(report) {
-  return [["Lattice", "lattice"], ["Liner", "liner"]]
+  return [
+    ["Lattice", "lattice"],
+    ["Liner", "liner"],
+  ]
     .map(([name, role]) => [name, materials_for(report, role)])
-    .filter(([, text]) => text).map(([name, text]) => fact(name, text));
+    .filter(([, text]) => text)
+    .map(([name, text]) => fact(name, text));
 }
 
 /** @param {Object} point of a curve @returns {string} "stretch 1.234, twist 20°", less what is none */
@@ -48,22 +58,34 @@ function deed_facts(report) {
   return segments.slice(0, 3).map((segment) => {
     const point = largest_point(segment.curve);
     const name = segments.length > 1 ? `Segment ${segment.segment} at ` : "At ";
-    return fact(name + with_unit(point.pressure_kPa, "kPa", given), capital(deed(point)),
-      point.stable === false ? "▲ unstable" : "");
+    return fact(
+      name + with_unit(point.pressure_kPa, "kPa", given),
+      capital(deed(point)),
+      point.stable === false ? "▲ unstable" : "",
+    );
   });
 }
 
 /** @param {Object} checks @returns {string} "1 error, 2 warnings" or "no findings" */
 function checks_summary(checks) {
-  const words = [["error", checks?.errors], ["warning", checks?.warnings], ["note", checks?.notes]]
-    .filter(([, n]) => n > 0).map(([name, n]) => counted(n, name));
+  const words = [
+    ["error", checks?.errors],
+    ["warning", checks?.warnings],
+    ["note", checks?.notes],
+  ]
+    .filter(([, n]) => n > 0)
+    .map(([name, n]) => counted(n, name));
   return words.length ? listed(words) : "no findings";
 }
 
 /** @param {Object} report */
 function show_facts(report) {
   by_id("name").textContent = report.name || "Actuator";
-  by_id("facts").append(...size_facts(list(report.design?.segments)), ...material_facts(report),
-    ...deed_facts(report), fact("Checks", capital(checks_summary(report.checks))));
+  by_id("facts").append(
+    ...size_facts(list(report.design?.segments)),
+    ...material_facts(report),
+    ...deed_facts(report),
+    fact("Checks", capital(checks_summary(report.checks))),
+  );
   by_id("made-by").textContent = `Latticast ${report.program_version ?? ""}`;
 }

@@ -16,9 +16,13 @@ function bytes_of_base64(text) {
 /** @param {Uint8Array} bytes of the file @returns {{json: Object, data: Uint8Array}} its two chunks */
 function glb_chunks(bytes) {
   const words = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  if (bytes.length < 20 || words.getUint32(0, true) !== GLB_MAGIC) throw new Error("the meshes are no binary glTF file");
+  if (bytes.length < 20 || words.getUint32(0, true) !== GLB_MAGIC)
+    throw new Error("the meshes are no binary glTF file");
   const json_end = 20 + words.getUint32(12, true);
-  return { json: JSON.parse(new TextDecoder().decode(bytes.subarray(20, json_end))), data: bytes.subarray(json_end + 8) };
+  return {
+    json: JSON.parse(new TextDecoder().decode(bytes.subarray(20, json_end))),
+    data: bytes.subarray(json_end + 8),
+  };
 }
 
 /** @returns {TypedArray} values of an accessor, copied so that they are aligned */
@@ -32,7 +36,9 @@ function accessor_values({ json, data }, index) {
   const stride = view.byteStride ?? row;
   const bytes = new Uint8Array(accessor.count * row);
   if (stride === row) bytes.set(data.subarray(start, start + bytes.length));
-  else for (let i = 0; i < accessor.count; ++i) bytes.set(data.subarray(start + i * stride, start + i * stride + row), i * row);
+  else
+    for (let i = 0; i < accessor.count; ++i)
+      bytes.set(data.subarray(start + i * stride, start + i * stride + row), i * row);
   return new Component(bytes.buffer);
 }
 
@@ -52,8 +58,13 @@ function read_glb(bytes) {
   for (const node of list(chunks.json.nodes).filter((n) => n.mesh !== undefined)) {
     const primitive = chunks.json.meshes[node.mesh].primitives[0];
     const rest = accessor_values(chunks, primitive.attributes.POSITION);
-    bodies.set(node.name, { node: node.name, rest, present: rest.slice(), indices: accessor_values(chunks, primitive.indices),
-      targets: list(primitive.targets).map((target) => accessor_values(chunks, target.POSITION)) });
+    bodies.set(node.name, {
+      node: node.name,
+      rest,
+      present: rest.slice(),
+      indices: accessor_values(chunks, primitive.indices),
+      targets: list(primitive.targets).map((target) => accessor_values(chunks, target.POSITION)),
+    });
   }
   return bodies;
 }
@@ -71,7 +82,11 @@ function morph(body, segment, pose) {
 /** @returns {Float32Array} the body's vertices in the frame of the chain */
 function placed_vertices({ present }, { base }) {
   const [ox, oy, oz] = base.origin_mm;
-  const [ex, ey, ez] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((axis) => turned(base.quaternion, axis));
+  const [ex, ey, ez] = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ].map((axis) => turned(base.quaternion, axis));
   const result = new Float32Array(present.length);
   for (let i = 0; i < result.length; i += 3) {
     const [x, y, z] = [present[i], present[i + 1], present[i + 2]];

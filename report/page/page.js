@@ -24,7 +24,9 @@ function theme_button() {
   const dark = window.matchMedia("(prefers-color-scheme: dark)");
   set_theme(dark.matches ? "dark" : "light", button);
   dark.addEventListener("change", () => set_theme(dark.matches ? "dark" : "light", button));
-  button.addEventListener("click", () => set_theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark", button));
+  button.addEventListener("click", () =>
+    set_theme(document.documentElement.dataset.theme === "dark" ? "light" : "dark", button),
+  );
   return button;
 }
 
@@ -45,11 +47,22 @@ function show_sections({ report }, actuator, present, placed, choose) {
 function view_panel({ report, view }, segments, present) {
   const sliders = sliders_for(segments, present);
   const note = "Shapes were computed at the ticks; between them they are interpolated.";
-  return h("div", { class: "panel" }, sliders,
-    sliders.length ? [h("div", { class: "play" }, play_button(present), case_choice(list(view.cases), present)),
-      live_numbers(report, segments, present), h("p", { class: "note" }, note)] : null,
-    list(segments).length && sliders.length === 0 ? h("p", { class: "note" }, "Only the shape at rest was computed.") : null,
-    view.note ? h("p", { class: "note" }, view.note) : null);
+  return h(
+    "div",
+    { class: "panel" },
+    sliders,
+    sliders.length
+      ? [
+          h("div", { class: "play" }, play_button(present), case_choice(list(view.cases), present)),
+          live_numbers(report, segments, present),
+          h("p", { class: "note" }, note),
+        ]
+      : null,
+    list(segments).length && sliders.length === 0
+      ? h("p", { class: "note" }, "Only the shape at rest was computed.")
+      : null,
+    view.note ? h("p", { class: "note" }, view.note) : null,
+  );
 }
 
 /** @returns {string} why there is no picture, or "" */
@@ -84,15 +97,29 @@ function build_page(data) {
   const pins = finding_pins(markers, findings, (index) => choose(index, true));
   stage.element.append(pins.element);
 
-  by_id("shape-content").append(h("div", { class: "view" }, h("div", { class: "picture" }, stage.element, tools),
-    view_panel(data, actuator.segments, present)));
+  by_id("shape-content").append(
+    h(
+      "div",
+      { class: "view" },
+      h("div", { class: "picture" }, stage.element, tools),
+      view_panel(data, actuator.segments, present),
+    ),
+  );
   show_sections(data, actuator, present, new Set(markers.map((marker) => marker.finding)), choose);
   ["chain", "plan", "response"].forEach(leave_out_empty);
 
   const start = (create_viewer) => {
     let missing = missing_picture(actuator, create_viewer);
     try {
-      if (!missing) viewer = start_view(create_viewer, { stage, actuator, present, report: data.report, pins: markers.length ? pins : null, tools });
+      if (!missing)
+        viewer = start_view(create_viewer, {
+          stage,
+          actuator,
+          present,
+          report: data.report,
+          pins: markers.length ? pins : null,
+          tools,
+        });
     } catch (error) {
       missing = `No 3-D view: ${error.message}.`;
     }
@@ -127,18 +154,30 @@ function after_painting(act) {
 function start_page() {
   let create_viewer = null;
   let done = null;
-  window.latticast = { ready: new Promise((resolve) => { done = resolve; }), attachViewer: (create) => { create_viewer = create; } };
+  window.latticast = {
+    ready: new Promise((resolve) => {
+      done = resolve;
+    }),
+    attachViewer: (create) => {
+      create_viewer = create;
+    },
+  };
   let page = null;
   try {
     page = build_page(read_data());
   } catch (error) {
-    by_id("main").prepend(h("p", { class: "alarm", role: "alert" }, `The data of this page cannot be read: ${error.message}`));
+    by_id("main").prepend(
+      h("p", { class: "alarm", role: "alert" }, `The data of this page cannot be read: ${error.message}`),
+    );
     done({ viewer: false });
     return;
   }
   const { actuator, present, start } = page;
-  Object.assign(window.latticast, { setPressure: (kPa) => set_pressure(present, kPa),
-    vertices: (node) => actuator.vertices(node), bounds: () => actuator.bounds() });
+  Object.assign(window.latticast, {
+    setPressure: (kPa) => set_pressure(present, kPa),
+    vertices: (node) => actuator.vertices(node),
+    bounds: () => actuator.bounds(),
+  });
   document.addEventListener("DOMContentLoaded", () => after_painting(() => done({ viewer: start(create_viewer) })));
 }
 

@@ -19,8 +19,12 @@ function turned([qx, qy, qz, qw], [x, y, z]) {
 
 /** @param {number[]} a @param {number[]} b @returns {number[]} first b, then a */
 function quaternion_product([ax, ay, az, aw], [bx, by, bz, bw]) {
-  return [aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,
-    aw * bz + ax * by - ay * bx + az * bw, aw * bw - ax * bx - ay * by - az * bz];
+  return [
+    aw * bx + ax * bw + ay * bz - az * by,
+    aw * by - ax * bz + ay * bw + az * bx,
+    aw * bz + ax * by - ay * bx + az * bw,
+    aw * bw - ax * bx - ay * by - az * bz,
+  ];
 }
 
 /** @param {Frame} frame @param {number[]} point in the frame @returns {number[]} where the frame stands */
@@ -30,16 +34,18 @@ function placed_point(frame, point) {
 
 /** @param {Frame} outer @param {Frame} inner given in outer @returns {Frame} */
 function composed(outer, inner) {
-  return { origin_mm: placed_point(outer, inner.origin_mm),
-    quaternion: quaternion_product(outer.quaternion, inner.quaternion) };
+  return {
+    origin_mm: placed_point(outer, inner.origin_mm),
+    quaternion: quaternion_product(outer.quaternion, inner.quaternion),
+  };
 }
 
 /** @param {number} t from 0 to 1 @returns {number[]} between a and b, along the shorter way */
 function slerp(a, b, t) {
   const dot = a.reduce((sum, value, i) => sum + value * b[i], 0);
   const angle = Math.acos(Math.min(1, Math.abs(dot)));
-  const [wa, wb] = angle < 1e-6 ? [1 - t, t]
-    : [Math.sin((1 - t) * angle) / Math.sin(angle), Math.sin(t * angle) / Math.sin(angle)];
+  const [wa, wb] =
+    angle < 1e-6 ? [1 - t, t] : [Math.sin((1 - t) * angle) / Math.sin(angle), Math.sin(t * angle) / Math.sin(angle)];
   const mixed = a.map((value, i) => wa * value + (dot < 0 ? -wb : wb) * b[i]);
   const size = Math.hypot(...mixed);
   return mixed.map((value) => value / size);
@@ -59,8 +65,10 @@ function neighbours(values, value) {
 
 /** @param {Object} end_a @param {Object} end_b end frames of two states @returns {Frame} */
 function frame_between(end_a, end_b, t) {
-  return { origin_mm: end_a.origin_mm.map((value, i) => value + t * (end_b.origin_mm[i] - value)),
-    quaternion: slerp(end_a.quaternion, end_b.quaternion, t) };
+  return {
+    origin_mm: end_a.origin_mm.map((value, i) => value + t * (end_b.origin_mm[i] - value)),
+    quaternion: slerp(end_a.quaternion, end_b.quaternion, t),
+  };
 }
 
 /**
@@ -81,7 +89,10 @@ function chain_poses(segments, pressures_kPa) {
   let base = base_frame();
   return segments.map((segment, i) => {
     const states = segment.states;
-    const place = neighbours(states.map((state) => state.pressure_kPa), pressures_kPa[i]);
+    const place = neighbours(
+      states.map((state) => state.pressure_kPa),
+      pressures_kPa[i],
+    );
     const own = frame_between(states[place.lower].end, states[place.upper].end, place.t);
     const pose = { ...place, base, end: composed(base, own) };
     base = pose.end;
@@ -91,7 +102,10 @@ function chain_poses(segments, pressures_kPa) {
 
 /** @param {Object} segment of the view @returns {number} index of its state at rest */
 function rest_state(segment) {
-  return Math.max(0, segment.states.findIndex((state) => state.pressure_kPa === 0));
+  return Math.max(
+    0,
+    segment.states.findIndex((state) => state.pressure_kPa === 0),
+  );
 }
 
 /** The rest has no morph target, so that those of later states move up by one; null for the rest. */
@@ -103,20 +117,36 @@ function target_of_state(segment, state) {
 /** @param {number[][]} positions one for each state @param {Pose} pose @returns {number[]} in the chain */
 function marker_place(positions, pose) {
   const [a, b] = [positions[pose.lower], positions[pose.upper]];
-  return placed_point(pose.base, a.map((value, i) => value + pose.t * (b[i] - value)));
+  return placed_point(
+    pose.base,
+    a.map((value, i) => value + pose.t * (b[i] - value)),
+  );
 }
 
 /** @param {Pose} pose @returns {number[][]} points of the arc between the segment's ends, which lies along both axes */
 function arc_points(pose, pieces = 16) {
   const [a, b] = [pose.base.origin_mm, pose.end.origin_mm];
   const [ta, tb] = [turned(pose.base.quaternion, [0, 0, 1]), turned(pose.end.quaternion, [0, 0, 1])];
-  const angle = Math.acos(Math.max(-1, Math.min(1, ta.reduce((sum, v, i) => sum + v * tb[i], 0))));
+  const angle = Math.acos(
+    Math.max(
+      -1,
+      Math.min(
+        1,
+        ta.reduce((sum, v, i) => sum + v * tb[i], 0),
+      ),
+    ),
+  );
   const chord = Math.hypot(...a.map((v, i) => b[i] - v));
   const handle = angle < 1e-3 ? chord / 3 : (chord * (4 / 3) * Math.tan(angle / 4)) / (2 * Math.sin(angle / 2));
   return Array.from({ length: pieces + 1 }, (_, k) => {
     const t = k / pieces;
     const s = 1 - t;
-    return a.map((_, i) => s * s * s * a[i] + 3 * s * s * t * (a[i] + handle * ta[i]) +
-      3 * s * t * t * (b[i] - handle * tb[i]) + t * t * t * b[i]);
+    return a.map(
+      (_, i) =>
+        s * s * s * a[i] +
+        3 * s * s * t * (a[i] + handle * ta[i]) +
+        3 * s * t * t * (b[i] - handle * tb[i]) +
+        t * t * t * b[i],
+    );
   });
 }

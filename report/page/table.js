@@ -28,12 +28,29 @@ function column_head(column) {
  * @param {function(Object, number): Object} attributes of an item's line
  */
 function table_of(caption, columns, items, attributes = () => ({})) {
-  const lines = items.map((item, index) => h("tr", attributes(item, index),
-    columns.map((column, i) => h(i === 0 ? "th" : "td",
-      { scope: i === 0 ? "row" : null, class: column.number ? "number" : null },
-      column.cell(item, index) ?? MISSING))));
-  return scrolling(caption, h("table", {}, h("caption", {}, caption),
-    h("thead", {}, h("tr", {}, columns.map(column_head))), h("tbody", {}, lines)));
+  const lines = items.map((item, index) =>
+    h(
+      "tr",
+      attributes(item, index),
+      columns.map((column, i) =>
+        h(
+          i === 0 ? "th" : "td",
+          { scope: i === 0 ? "row" : null, class: column.number ? "number" : null },
+          column.cell(item, index) ?? MISSING,
+        ),
+      ),
+    ),
+  );
+  return scrolling(
+    caption,
+    h(
+      "table",
+      {},
+      h("caption", {}, caption),
+      h("thead", {}, h("tr", {}, columns.map(column_head))),
+      h("tbody", {}, lines),
+    ),
+  );
 }
 
 /** @param {string} label @param {HTMLElement} table @returns {HTMLElement} a box that scrolls sideways */
@@ -49,14 +66,39 @@ function scrolling(label, table) {
  * @param {Object[]} items
  */
 function property_table(caption, heads, lines, items) {
-  const kept = lines.map(([name, unit, value]) => [name, unit, items.map(value)])
+  const kept = lines
+    .map(([name, unit, value]) => [name, unit, items.map(value)])
     .filter(([, , values]) => values.some((value) => value !== null && value !== MISSING));
-  return scrolling(caption, h("table", { class: "properties" }, h("caption", {}, caption),
-    h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Property"),
-      heads.map((head) => h("th", { scope: "col", class: "number" }, head)))),
-    h("tbody", {}, kept.map(([name, unit, values]) => h("tr", {},
-      h("th", { scope: "row" }, name, unit_after(unit)),
-      values.map((value) => h("td", { class: "number" }, value ?? MISSING)))))));
+  return scrolling(
+    caption,
+    h(
+      "table",
+      { class: "properties" },
+      h("caption", {}, caption),
+      h(
+        "thead",
+        {},
+        h(
+          "tr",
+          {},
+          h("th", { scope: "col" }, "Property"),
+          heads.map((head) => h("th", { scope: "col", class: "number" }, head)),
+        ),
+      ),
+      h(
+        "tbody",
+        {},
+        kept.map(([name, unit, values]) =>
+          h(
+            "tr",
+            {},
+            h("th", { scope: "row" }, name, unit_after(unit)),
+            values.map((value) => h("td", { class: "number" }, value ?? MISSING)),
+          ),
+        ),
+      ),
+    ),
+  );
 }
 
 /**

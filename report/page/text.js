@@ -19,8 +19,7 @@ function scientific(value) {
   if (!is_number(value)) return MISSING;
   if (value === 0) return "0";
   const [mantissa, exponent] = value.toExponential(1).split("e");
-  const raised = String(Number(exponent)).replace(/./g, (c) =>
-    c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)]);
+  const raised = String(Number(exponent)).replace(/./g, (c) => (c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)]));
   return `${with_minus(mantissa)}·10${raised}`;
 }
 
@@ -51,7 +50,7 @@ function count(value) {
 /** @param {number|null} value @param {string} unit @param {function} format of the number */
 function with_unit(value, unit, format = measured) {
   if (!is_number(value)) return MISSING;
-  return unit === "°" ? `${format(value)}°` : `${format(value)}${unit ? `\u00a0${unit}` : ""}`;
+  return unit === "°" || unit === "degrees" ? `${format(value)}°` : `${format(value)}${unit ? `\u00a0${unit}` : ""}`;
 }
 
 /** @param {number} n @param {string} one @param {string} many @returns {string} "1 error", "2 errors" */

@@ -2,7 +2,7 @@
 // The section with the 3-D view: bodies at their present pressures, and the tools around them.
 "use strict";
 
-const DIRECTIONS = { "Oblique": [0.55, -1, 0.42], "Front": [0, -1, 0], "Side": [1, 0, 0], "Top": [0, -1e-4, 1] };
+const DIRECTIONS = { Oblique: [0.55, -1, 0.42], Front: [0, -1, 0], Side: [1, 0, 0], Top: [0, -1e-4, 1] };
 
 /** The bodies of the view's segments, and where they are. */
 class Actuator {
@@ -11,9 +11,11 @@ class Actuator {
     this.segments = list(view.segments).filter((segment) => list(segment.states).length > 0);
     this.problem = "";
     this.bodies = this.readable_bodies(model);
-    this.shown = this.segments.flatMap((segment, i) => list(segment.bodies)
-      .filter(({ node }) => this.bodies.has(node))
-      .map(({ node, role }) => Object.assign(this.bodies.get(node), { role, segment: i })));
+    this.shown = this.segments.flatMap((segment, i) =>
+      list(segment.bodies)
+        .filter(({ node }) => this.bodies.has(node))
+        .map(({ node, role }) => Object.assign(this.bodies.get(node), { role, segment: i })),
+    );
     this.set(this.segments.map(() => 0));
   }
 
@@ -47,8 +49,14 @@ class Actuator {
 
   /** @param {PresentPressures} present @returns bounds over the ends of all ranges, so that the eye need not move */
   room(present) {
-    const corners = [present.ranges.map(([low]) => low), present.ranges.map(([, high]) => high), present.pressures_kPa]
-      .map((pressures) => { this.set(pressures); return this.bounds(); });
+    const corners = [
+      present.ranges.map(([low]) => low),
+      present.ranges.map(([, high]) => high),
+      present.pressures_kPa,
+    ].map((pressures) => {
+      this.set(pressures);
+      return this.bounds();
+    });
     return bounds_of(corners.flatMap(({ min, max }) => [min, max]));
   }
 
@@ -71,29 +79,48 @@ function tick_box(label, ticked, on_change) {
   return h("label", { class: "tick-box" }, input, ` ${label}`);
 }
 
-/** @param {Object} viewer @param {Set<string>} roles @param {Object} layers what lies over the picture @returns {HTMLElement} */
+/** @param {Set<string>} roles of bodies @param {Object} layers what lies over the picture @returns {HTMLElement} */
 function view_tools(viewer, roles, layers) {
   const directions = Object.entries(DIRECTIONS).map(([name, from]) =>
-    h("button", { type: "button", class: "small", onclick: () => viewer.look_from(from) }, name));
+    h("button", { type: "button", class: "small", onclick: () => viewer.look_from(from) }, name),
+  );
   const boxes = [];
   if (roles.has("lattice")) boxes.push(tick_box("Lattice", true, (on) => viewer.set_visible("lattice", on)));
   if (roles.has("liner")) {
-    boxes.push(tick_box("Liner", true, (on) => viewer.set_visible("liner", on)),
-      tick_box("See through the liner", true, (on) => viewer.set_translucent("liner", on)));
+    boxes.push(
+      tick_box("Liner", true, (on) => viewer.set_visible("liner", on)),
+      tick_box("See through the liner", true, (on) => viewer.set_translucent("liner", on)),
+    );
   }
   boxes.push(tick_box("Cut open", false, viewer.set_cut));
   for (const [label, layer] of Object.entries(layers)) boxes.push(tick_box(label, layer.on, layer.show));
-  return h("div", { class: "tools" }, h("div", { class: "buttons", role: "group", "aria-label": "Look from" }, directions,
-    h("button", { type: "button", class: "small", onclick: viewer.fit }, "Fit")),
-  h("div", { class: "boxes", role: "group", "aria-label": "Show" }, boxes));
+  return h(
+    "div",
+    { class: "tools" },
+    h(
+      "div",
+      { class: "buttons", role: "group", "aria-label": "Look from" },
+      directions,
+      h("button", { type: "button", class: "small", onclick: viewer.fit }, "Fit"),
+    ),
+    h("div", { class: "boxes", role: "group", "aria-label": "Show" }, boxes),
+  );
 }
 
 /** Arrows turn the view, + and - zoom, F shows all. */
 function follow_keys(canvas, viewer) {
   const step = Math.PI / 24;
-  const moves = { ArrowLeft: () => viewer.turn(-step, 0), ArrowRight: () => viewer.turn(step, 0),
-    ArrowUp: () => viewer.turn(0, step), ArrowDown: () => viewer.turn(0, -step), "+": () => viewer.zoom(1 / 1.15),
-    "=": () => viewer.zoom(1 / 1.15), "-": () => viewer.zoom(1.15), f: viewer.fit, F: viewer.fit };
+  const moves = {
+    ArrowLeft: () => viewer.turn(-step, 0),
+    ArrowRight: () => viewer.turn(step, 0),
+    ArrowUp: () => viewer.turn(0, step),
+    ArrowDown: () => viewer.turn(0, -step),
+    "+": () => viewer.zoom(1 / 1.15),
+    "=": () => viewer.zoom(1 / 1.15),
+    "-": () => viewer.zoom(1.15),
+    f: viewer.fit,
+    F: viewer.fit,
+  };
   canvas.addEventListener("keydown", (event) => {
     const move = moves[event.key];
     if (!move || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -105,8 +132,10 @@ function follow_keys(canvas, viewer) {
 /** @param {Object} report @returns {string} what the picture shows, for those who do not see it */
 function view_description(report) {
   const segments = list(report.design?.segments);
-  return `3-D view of ${report.name || "the actuator"}: ${counted(segments.length, "segment")}. ` +
-    "Arrow keys turn it, plus and minus zoom, F fits it. The sliders set its pressure.";
+  return (
+    `3-D view of ${report.name || "the actuator"}: ${counted(segments.length, "segment")}. ` +
+    "Arrow keys turn it, plus and minus zoom, F fits it. The sliders set its pressure."
+  );
 }
 
 /** The picture, what lies over it, and a place for a message. */
@@ -157,7 +186,9 @@ function follow_size(stage, viewer) {
 
 /** @param {Object[]} cases of the report's chain @returns {Float32Array} tips that exist */
 function workspace_points(cases) {
-  return Float32Array.from(cases.filter((one) => one.exists !== false && list(one.tip_mm).length === 3).flatMap((one) => one.tip_mm));
+  return Float32Array.from(
+    cases.filter((one) => one.exists !== false && list(one.tip_mm).length === 3).flatMap((one) => one.tip_mm),
+  );
 }
 
 /**
@@ -185,17 +216,30 @@ function start_view(create_viewer, { stage, actuator, present, report, pins, too
   viewer = create_viewer({ canvas: stage.canvas, bodies: actuator.shown, colours: view_colours(), room, on_drawn });
   viewer.set_translucent("liner", true);
   viewer.place_of = place_of;
-  layers["Centre line"] = { on: line_shown, show: (on) => { line_shown = on; viewer.request(); } };
+  layers["Centre line"] = {
+    on: line_shown,
+    show: (on) => {
+      line_shown = on;
+      viewer.request();
+    },
+  };
   const tips = workspace_points(cases);
   if (tips.length > 3) layers.Workspace = { on: false, show: (on) => viewer.set_cloud(on ? tips : null) };
-  if (pins) layers.Pins = { on: true, show: (on) => { pins.element.hidden = !on; } };
+  if (pins)
+    layers.Pins = {
+      on: true,
+      show: (on) => {
+        pins.element.hidden = !on;
+      },
+    };
   tools.append(view_tools(viewer, new Set(actuator.shown.map((body) => body.role)), layers));
   follow_keys(stage.canvas, viewer);
   follow_printing(stage, viewer);
   present.follow(() => viewer.set_poses(actuator.poses));
   follow_size(stage, viewer);
-  new MutationObserver(() => viewer.set_colours(view_colours()))
-    .observe(document.documentElement, { attributeFilter: ["data-theme"] });
+  new MutationObserver(() => viewer.set_colours(view_colours())).observe(document.documentElement, {
+    attributeFilter: ["data-theme"],
+  });
   viewer.draw();
   return viewer;
 }

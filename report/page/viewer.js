@@ -29,8 +29,10 @@ function disc_texture() {
 function cloud_of(points_mm, colour) {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(points_mm, 3));
-  return new Points(geometry, new PointsMaterial({ color: colour, size: 5, sizeAttenuation: false,
-    map: disc_texture(), alphaTest: 0.5 }));
+  return new Points(
+    geometry,
+    new PointsMaterial({ color: colour, size: 5, sizeAttenuation: false, map: disc_texture(), alphaTest: 0.5 }),
+  );
 }
 
 /**
@@ -79,29 +81,59 @@ function create_viewer({ canvas, bodies, colours, room, on_drawn }) {
   function project(point_mm) {
     const seen = new Vector3(...point_mm).project(eye.camera);
     if (seen.z > 1) return null;
-    return [(seen.x + 1) / 2 * canvas.clientWidth, (1 - seen.y) / 2 * canvas.clientHeight];
+    return [((seen.x + 1) / 2) * canvas.clientWidth, ((1 - seen.y) / 2) * canvas.clientHeight];
   }
 
   canvas.addEventListener("webglcontextrestored", request);
   set_size();
   return {
-    draw, request, project,
+    draw,
+    request,
+    project,
     /** To be called when the canvas has another size. It draws at once, lest the picture flickers. */
-    resize: () => { set_size(); draw(); },
-    fit: eye.fit, look_from: eye.look_from, turn: eye.turn, zoom: eye.zoom, look_at: eye.look_at,
-    grid_mm: world.grid_mm, mm_per_pixel: eye.mm_per_pixel, axis_on_screen: eye.axis_on_screen,
-    set_poses: (poses) => { world.set_poses(poses); request(); },
-    set_visible: (role, visible) => { world.set_visible(role, visible); request(); },
-    set_translucent: (role, translucent) => { world.set_translucent(role, translucent); request(); },
-    set_cut: (cut) => { world.set_cut(cut); request(); },
-    set_colours: (next) => { world.set_colours(next); cloud?.material.color.set(next.cloud); request(); },
+    resize: () => {
+      set_size();
+      draw();
+    },
+    fit: eye.fit,
+    look_from: eye.look_from,
+    turn: eye.turn,
+    zoom: eye.zoom,
+    look_at: eye.look_at,
+    grid_mm: world.grid_mm,
+    mm_per_pixel: eye.mm_per_pixel,
+    axis_on_screen: eye.axis_on_screen,
+    set_poses: (poses) => {
+      world.set_poses(poses);
+      request();
+    },
+    set_visible: (role, visible) => {
+      world.set_visible(role, visible);
+      request();
+    },
+    set_translucent: (role, translucent) => {
+      world.set_translucent(role, translucent);
+      request();
+    },
+    set_cut: (cut) => {
+      world.set_cut(cut);
+      request();
+    },
+    set_colours: (next) => {
+      world.set_colours(next);
+      cloud?.material.color.set(next.cloud);
+      request();
+    },
     set_cloud: (points_mm) => {
       if (cloud) world.scene.remove(cloud);
       cloud = points_mm ? cloud_of(points_mm, colours.cloud) : null;
       if (cloud) world.scene.add(cloud);
       request();
     },
-    picture: () => { draw(); return canvas.toDataURL("image/png"); },
+    picture: () => {
+      draw();
+      return canvas.toDataURL("image/png");
+    },
   };
 }
 

@@ -14,7 +14,7 @@ function sphere_around(room) {
 
 /** @param {{min: number[], max: number[]}} room @returns {number[][]} its eight corners */
 function corners_of({ min, max }) {
-  return Array.from({ length: 8 }, (_, k) => [0, 1, 2].map((i) => (k >> i & 1 ? max : min)[i]));
+  return Array.from({ length: 8 }, (_, k) => [0, 1, 2].map((i) => ((k >> i) & 1 ? max : min)[i]));
 }
 
 /** @param {function()} changed called when the picture must be drawn anew */
@@ -30,8 +30,12 @@ export function create_camera(canvas, room, changed) {
   // A wheel over the page scrolls it; over a view that was chosen before, it zooms. A finger that moves up or down
   // scrolls, too.
   controls.enableZoom = false;
-  canvas.addEventListener("focus", () => { controls.enableZoom = true; });
-  canvas.addEventListener("blur", () => { controls.enableZoom = false; });
+  canvas.addEventListener("focus", () => {
+    controls.enableZoom = true;
+  });
+  canvas.addEventListener("blur", () => {
+    controls.enableZoom = false;
+  });
   canvas.addEventListener("pointerdown", (event) => {
     if (event.pointerType === "touch") controls.enableZoom = true;
     canvas.focus({ preventScroll: true });
@@ -53,11 +57,15 @@ export function create_camera(canvas, room, changed) {
     camera.lookAt(sphere.center);
     camera.updateMatrixWorld();
     const turned = camera.matrixWorldInverse;
-    return Math.max(...corners_of(room).map((corner) => {
-      const seen = new Vector3(...corner).sub(sphere.center).transformDirection(turned)
-        .multiplyScalar(new Vector3(...corner).distanceTo(sphere.center));
-      return seen.z + 1.12 * Math.max(Math.abs(seen.x) / (up * camera.aspect), Math.abs(seen.y) / up);
-    }));
+    return Math.max(
+      ...corners_of(room).map((corner) => {
+        const seen = new Vector3(...corner)
+          .sub(sphere.center)
+          .transformDirection(turned)
+          .multiplyScalar(new Vector3(...corner).distanceTo(sphere.center));
+        return seen.z + 1.12 * Math.max(Math.abs(seen.x) / (up * camera.aspect), Math.abs(seen.y) / up);
+      }),
+    );
   }
 
   function fit() {
@@ -78,7 +86,9 @@ export function create_camera(canvas, room, changed) {
 
   let shaped = false;
   return {
-    camera, fit, turn,
+    camera,
+    fit,
+    turn,
     before_drawing() {
       const distance = camera.position.distanceTo(controls.target);
       camera.near = distance / 100;
@@ -111,7 +121,7 @@ export function create_camera(canvas, room, changed) {
       const distance = camera.position.distanceTo(controls.target);
       return (2 * distance * Math.tan((FIELD_DEG * Math.PI) / 360)) / canvas.clientHeight;
     },
-    /** @param {number[]} axis @returns {number[]} its direction to the right and up on the screen, and towards the eye */
+    /** @param {number[]} axis @returns {number[]} how far it points right, up and towards the eye */
     axis_on_screen(axis) {
       return new Vector3(...axis).transformDirection(camera.matrixWorldInverse).toArray();
     },

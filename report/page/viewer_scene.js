@@ -1,8 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the 3-D view shows: bodies, a grid under them, and light that comes with the eye.
 
-import { BufferAttribute, BufferGeometry, DirectionalLight, DoubleSide, FrontSide, GridHelper, HemisphereLight, Matrix4, Mesh,
-  MeshLambertMaterial, Plane, Quaternion, Scene, Vector3, WebGLRenderer } from "three";
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DirectionalLight,
+  DoubleSide,
+  FrontSide,
+  GridHelper,
+  HemisphereLight,
+  Matrix4,
+  Mesh,
+  MeshLambertMaterial,
+  Plane,
+  Quaternion,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from "three";
 
 const ONE = new Vector3(1, 1, 1);
 
@@ -44,7 +59,10 @@ function grid_under(room, colour) {
 
 function add_lights(scene) {
   scene.add(new HemisphereLight(0xffffff, 0x8a8f99, 1.5));
-  for (const [x, y, z, strength] of [[-2, -3, 4, 1.9], [3, 1, 2, 0.7]]) {
+  for (const [x, y, z, strength] of [
+    [-2, -3, 4, 1.9],
+    [3, 1, 2, 0.7],
+  ]) {
     const light = new DirectionalLight(0xffffff, strength);
     light.position.set(x, y, z);
     scene.add(light);
@@ -65,7 +83,9 @@ export function create_scene({ canvas, context, bodies, colours, room }) {
   const front = new Plane(new Vector3(0, 1, 0), 0);
 
   return {
-    renderer, scene, grid_mm: grid_step(room),
+    renderer,
+    scene,
+    grid_mm: grid_step(room),
     set_poses(poses) {
       meshes.forEach((mesh, i) => {
         const { origin_mm, quaternion } = poses[bodies[i].segment].base;
@@ -75,13 +95,22 @@ export function create_scene({ canvas, context, bodies, colours, room }) {
       });
     },
     set_visible(role, visible) {
-      meshes.forEach((mesh, i) => { if (bodies[i].role === role) mesh.visible = visible; });
+      meshes.forEach((mesh, i) => {
+        if (bodies[i].role === role) mesh.visible = visible;
+      });
     },
     set_translucent(role, translucent) {
-      Object.assign(materials[role], { transparent: translucent, opacity: translucent ? 0.38 : 1, depthWrite: !translucent,
-        side: translucent ? FrontSide : DoubleSide, needsUpdate: true });
+      Object.assign(materials[role], {
+        transparent: translucent,
+        opacity: translucent ? 0.38 : 1,
+        depthWrite: !translucent,
+        side: translucent ? FrontSide : DoubleSide,
+        needsUpdate: true,
+      });
     },
-    set_cut(cut) { renderer.clippingPlanes = cut ? [front] : []; },
+    set_cut(cut) {
+      renderer.clippingPlanes = cut ? [front] : [];
+    },
     set_colours(next) {
       materials.lattice.color.set(next.lattice);
       materials.liner.color.set(next.liner);

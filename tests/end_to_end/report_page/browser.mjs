@@ -15,8 +15,10 @@ export const axe_source = require("axe-core").source;
 /** @param {boolean} with_gl whether WebGL is there */
 export async function launch(with_gl = true) {
   const { chromium } = require("playwright-core");
-  return chromium.launch({ executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: ["--headless=new", "--no-sandbox", ...(with_gl ? SOFTWARE_GL : NO_GL)] });
+  return chromium.launch({
+    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
+    args: ["--headless=new", "--no-sandbox", ...(with_gl ? SOFTWARE_GL : NO_GL)],
+  });
 }
 
 /**
@@ -28,13 +30,18 @@ export async function open(browser, file, settings = {}) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...settings });
   const said = [];
   const asked = [];
-  page.on("console", (message) => { if (message.type() !== "log") said.push(`${message.type()}: ${message.text()}`); });
+  page.on("console", (message) => {
+    if (message.type() !== "log") said.push(`${message.type()}: ${message.text()}`);
+  });
   page.on("pageerror", (error) => said.push(`error: ${error.message}`));
   page.on("request", (request) => asked.push(request.url()));
   await page.addInitScript(count_drawings);
   await page.goto(pathToFileURL(file).href);
   const state = await page.evaluate(async () => {
-    const ready = await Promise.race([window.latticast.ready, new Promise((_, fail) => setTimeout(() => fail(new Error("not ready after 60 s")), 60000))]);
+    const ready = await Promise.race([
+      window.latticast.ready,
+      new Promise((_, fail) => setTimeout(() => fail(new Error("not ready after 60 s")), 60000)),
+    ]);
     return { ...ready, milliseconds: performance.now() };
   });
   return { page, said, asked, state };
@@ -55,7 +62,9 @@ function count_drawings() {
 
 /** Waits until what was asked for is drawn. */
 export async function settle(page) {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))));
+  await page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 30)))),
+  );
 }
 
 /**
@@ -64,24 +73,32 @@ export async function settle(page) {
  * @returns {number[]} part of each field's pixels that differ
  */
 export async function difference(page, a, b, fields) {
-  return page.evaluate(async ([first, second, places]) => {
-    const pixels = await Promise.all([first, second].map(async (text) => {
-      const image = new Image();
-      image.src = `data:image/png;base64,${text}`;
-      await image.decode();
-      const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
-      const pen = canvas.getContext("2d");
-      pen.drawImage(image, 0, 0);
-      return pen.getImageData(0, 0, image.width, image.height);
-    }));
-    const [p, q] = pixels;
-    return places.map(([x, y, w, h]) => {
-      const [x0, x1, y0, y1] = [x * p.width, (x + w) * p.width, y * p.height, (y + h) * p.height].map(Math.floor);
-      let other = 0;
-      for (let j = y0; j < y1; ++j)
-        for (let i = x0; i < x1; ++i)
-          if ([0, 1, 2].some((c) => Math.abs(p.data[4 * (j * p.width + i) + c] - q.data[4 * (j * p.width + i) + c]) > 8)) ++other;
-      return other / ((x1 - x0) * (y1 - y0));
-    });
-  }, [a.toString("base64"), b.toString("base64"), fields]);
+  return page.evaluate(
+    async ([first, second, places]) => {
+      const pixels = await Promise.all(
+        [first, second].map(async (text) => {
+          const image = new Image();
+          image.src = `data:image/png;base64,${text}`;
+          await image.decode();
+          const canvas = Object.assign(document.createElement("canvas"), { width: image.width, height: image.height });
+          const pen = canvas.getContext("2d");
+          pen.drawImage(image, 0, 0);
+          return pen.getImageData(0, 0, image.width, image.height);
+        }),
+      );
+      const [p, q] = pixels;
+      return places.map(([x, y, w, h]) => {
+        const [x0, x1, y0, y1] = [x * p.width, (x + w) * p.width, y * p.height, (y + h) * p.height].map(Math.floor);
+        let other = 0;
+        for (let j = y0; j < y1; ++j)
+          for (let i = x0; i < x1; ++i)
+            if (
+              [0, 1, 2].some((c) => Math.abs(p.data[4 * (j * p.width + i) + c] - q.data[4 * (j * p.width + i) + c]) > 8)
+            )
+              ++other;
+        return other / ((x1 - x0) * (y1 - y0));
+      });
+    },
+    [a.toString("base64"), b.toString("base64"), fields],
+  );
 }

@@ -15,8 +15,12 @@ function block(html, id) {
 export function read_page(file) {
   const html = readFileSync(file, "utf8");
   const model = Buffer.from(block(html, "model"), "base64");
-  return { html, report: JSON.parse(block(html, "report")), view: JSON.parse(block(html, "view")),
-    meshes: model.length ? read_meshes(model) : new Map() };
+  return {
+    html,
+    report: JSON.parse(block(html, "report")),
+    view: JSON.parse(block(html, "view")),
+    meshes: model.length ? read_meshes(model) : new Map(),
+  };
 }
 
 /** @returns {Map<string, {rest: number[], targets: Map<number, number[]>}>} by node, targets by their pressure */
@@ -29,33 +33,54 @@ function read_meshes(file) {
     const start = (gltf.bufferViews[bufferView].byteOffset ?? 0) + byteOffset;
     return Array.from({ length: 3 * count }, (_, i) => data.readFloatLE(start + 4 * i));
   };
-  return new Map(gltf.nodes.filter((node) => node.mesh !== undefined).map((node) => {
-    const { primitives: [primitive], extras } = gltf.meshes[node.mesh];
-    const targets = new Map((primitive.targets ?? []).map((target, i) => [parseFloat(extras.targetNames[i]), values(target.POSITION)]));
-    return [node.name, { rest: values(primitive.attributes.POSITION), targets }];
-  }));
+  return new Map(
+    gltf.nodes
+      .filter((node) => node.mesh !== undefined)
+      .map((node) => {
+        const {
+          primitives: [primitive],
+          extras,
+        } = gltf.meshes[node.mesh];
+        const targets = new Map(
+          (primitive.targets ?? []).map((target, i) => [parseFloat(extras.targetNames[i]), values(target.POSITION)]),
+        );
+        return [node.name, { rest: values(primitive.attributes.POSITION), targets }];
+      }),
+  );
 }
 
 function matrix_of([x, y, z, w]) {
-  return [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+  return [
+    [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
     [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-    [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]];
+    [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+  ];
 }
 
 const times_vector = (m, v) => m.map((row) => row.reduce((sum, value, i) => sum + value * v[i], 0));
-const times_matrix = (a, b) => a.map((row) => [0, 1, 2].map((j) => row.reduce((sum, value, k) => sum + value * b[k][j], 0)));
+const times_matrix = (a, b) =>
+  a.map((row) => [0, 1, 2].map((j) => row.reduce((sum, value, k) => sum + value * b[k][j], 0)));
 
 /** Turning from a to b by a part of their angle, as a product of a and a rotation about one axis (Rodrigues). */
 function matrix_between(a, b, t) {
   const [ma, mb] = [matrix_of(a), matrix_of(b)];
-  const relative = times_matrix([0, 1, 2].map((i) => ma.map((row) => row[i])), mb);
+  const relative = times_matrix(
+    [0, 1, 2].map((i) => ma.map((row) => row[i])),
+    mb,
+  );
   const angle = Math.acos(Math.max(-1, Math.min(1, (relative[0][0] + relative[1][1] + relative[2][2] - 1) / 2)));
   if (angle < 1e-7) return ma;
-  const [x, y, z] = [[2, 1], [0, 2], [1, 0]].map(([i, j]) => (relative[i][j] - relative[j][i]) / (2 * Math.sin(angle)));
+  const [x, y, z] = [
+    [2, 1],
+    [0, 2],
+    [1, 0],
+  ].map(([i, j]) => (relative[i][j] - relative[j][i]) / (2 * Math.sin(angle)));
   const [c, s] = [Math.cos(t * angle), Math.sin(t * angle)];
-  const part = [[c + x * x * (1 - c), x * y * (1 - c) - z * s, x * z * (1 - c) + y * s],
+  const part = [
+    [c + x * x * (1 - c), x * y * (1 - c) - z * s, x * z * (1 - c) + y * s],
     [y * x * (1 - c) + z * s, c + y * y * (1 - c), y * z * (1 - c) - x * s],
-    [z * x * (1 - c) - y * s, z * y * (1 - c) + x * s, c + z * z * (1 - c)]];
+    [z * x * (1 - c) - y * s, z * y * (1 - c) + x * s, c + z * z * (1 - c)],
+  ];
   return times_matrix(ma, part);
 }
 
@@ -75,7 +100,11 @@ function around(states, pressure) {
 export function expected_vertices({ view, meshes }, pressures_kPa) {
   const result = new Map();
   let origin = [0, 0, 0];
-  let turn = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  let turn = [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ];
   view.segments.forEach((segment, index) => {
     const { lower, upper, t } = around(segment.states, pressures_kPa[index]);
     for (const { node } of segment.bodies) {
@@ -83,7 +112,8 @@ export function expected_vertices({ view, meshes }, pressures_kPa) {
       const [a, b] = [targets.get(lower.pressure_kPa), targets.get(upper.pressure_kPa)];
       const own = rest.map((value, i) => value + (1 - t) * (a?.[i] ?? 0) + t * (b?.[i] ?? 0));
       const placed = [];
-      for (let i = 0; i < own.length; i += 3) placed.push(...times_vector(turn, own.slice(i, i + 3)).map((v, k) => v + origin[k]));
+      for (let i = 0; i < own.length; i += 3)
+        placed.push(...times_vector(turn, own.slice(i, i + 3)).map((v, k) => v + origin[k]));
       result.set(node, placed);
     }
     const end = lower.end.origin_mm.map((value, i) => value + t * (upper.end.origin_mm[i] - value));

@@ -17,8 +17,12 @@ class Buffer3d {
   /** @param {Float32Array|Uint32Array} array @param {string} type @param {number} target */
   add(array, type, target) {
     const width = type === "VEC3" ? 3 : 1;
-    const accessor = { bufferView: this.views.length, componentType: array instanceof Float32Array ? FLOAT : UNSIGNED_INT,
-      count: array.length / width, type };
+    const accessor = {
+      bufferView: this.views.length,
+      componentType: array instanceof Float32Array ? FLOAT : UNSIGNED_INT,
+      count: array.length / width,
+      type,
+    };
     if (type === "VEC3") Object.assign(accessor, bounds_of(array));
     this.views.push({ buffer: 0, byteOffset: this.bytes, byteLength: array.byteLength, ...(target ? { target } : {}) });
     this.chunks.push(Buffer.from(array.buffer, array.byteOffset, array.byteLength));
@@ -40,16 +44,22 @@ function bounds_of(array) {
 
 /** @param {{node: string, positions: Float32Array, indices: Uint32Array, targets: Float32Array[], names: string[]}} body */
 function mesh_of(buffer, body) {
-  const primitive = { attributes: { POSITION: buffer.add(body.positions, "VEC3", 34962) },
-    indices: buffer.add(body.indices, "SCALAR", 34963) };
+  const primitive = {
+    attributes: { POSITION: buffer.add(body.positions, "VEC3", 34962) },
+    indices: buffer.add(body.indices, "SCALAR", 34963),
+  };
   if (body.targets.length) primitive.targets = body.targets.map((t) => ({ POSITION: buffer.add(t, "VEC3", 34962) }));
-  return { name: body.node, primitives: [primitive], extras: { targetNames: body.names },
-    ...(body.targets.length ? { weights: body.targets.map(() => 0) } : {}) };
+  return {
+    name: body.node,
+    primitives: [primitive],
+    extras: { targetNames: body.names },
+    ...(body.targets.length ? { weights: body.targets.map(() => 0) } : {}),
+  };
 }
 
 /** @param {Buffer} chunk @param {number} filler @returns {Buffer} of whole words */
 function padded(chunk, filler) {
-  return Buffer.concat([chunk, Buffer.alloc((4 - chunk.length % 4) % 4, filler)]);
+  return Buffer.concat([chunk, Buffer.alloc((4 - (chunk.length % 4)) % 4, filler)]);
 }
 
 function header_of(length, kind) {
@@ -63,10 +73,25 @@ function header_of(length, kind) {
 export function glb_of(bodies) {
   const buffer = new Buffer3d();
   const meshes = bodies.map((body) => mesh_of(buffer, body));
-  const nodes = [{ name: "actuator", matrix: MM_TO_M, children: bodies.map((_, i) => i + 1) },
-    ...bodies.map((body, i) => ({ name: body.node, mesh: i }))];
-  const json = padded(Buffer.from(JSON.stringify({ asset: { version: "2.0" }, scene: 0, scenes: [{ nodes: [0] }], nodes, meshes,
-    accessors: buffer.accessors, bufferViews: buffer.views, buffers: [{ byteLength: buffer.bytes }] })), 0x20);
+  const nodes = [
+    { name: "actuator", matrix: MM_TO_M, children: bodies.map((_, i) => i + 1) },
+    ...bodies.map((body, i) => ({ name: body.node, mesh: i })),
+  ];
+  const json = padded(
+    Buffer.from(
+      JSON.stringify({
+        asset: { version: "2.0" },
+        scene: 0,
+        scenes: [{ nodes: [0] }],
+        nodes,
+        meshes,
+        accessors: buffer.accessors,
+        bufferViews: buffer.views,
+        buffers: [{ byteLength: buffer.bytes }],
+      }),
+    ),
+    0x20,
+  );
   const data = padded(Buffer.concat(buffer.chunks), 0);
   const file = Buffer.alloc(12);
   file.write("glTF", 0, "latin1");

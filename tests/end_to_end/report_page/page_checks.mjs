@@ -8,7 +8,11 @@ import { axe_source } from "./browser.mjs";
 /** Nothing but the file itself is asked for, and the console stays silent. */
 export function check_silence({ said, asked }, file_url) {
   assert.deepEqual(said, [], "console");
-  assert.deepEqual(asked.filter((url) => url !== file_url && !url.startsWith("data:")), [], "requests");
+  assert.deepEqual(
+    asked.filter((url) => url !== file_url && !url.startsWith("data:")),
+    [],
+    "requests",
+  );
 }
 
 /** No text of the data became script or markup. */
@@ -32,23 +36,31 @@ export async function check_outline(page) {
   const levels = await page.$$eval("h1, h2, h3, h4", (heads) => heads.map((head) => Number(head.tagName[1])));
   assert.equal(levels[0], 1);
   levels.forEach((level, i) => assert.ok(i === 0 || level <= levels[i - 1] + 1, `headings ${levels.join(" ")}`));
-  const bare = await page.$$eval("table", (tables) => tables.filter((table) => !table.caption?.textContent || !table.querySelector("th[scope]")).length);
+  const bare = await page.$$eval(
+    "table",
+    (tables) => tables.filter((table) => !table.caption?.textContent || !table.querySelector("th[scope]")).length,
+  );
   assert.equal(bare, 0, "tables without caption or heads");
 }
 
 /** Runs in the page. @returns {string[]} texts whose contrast with what lies behind them is too small */
 function weak_texts() {
   // A canvas turns any colour into red, green, blue and opacity.
-  const pen = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d", { willReadFrequently: true });
+  const pen = Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext("2d", {
+    willReadFrequently: true,
+  });
   const rgba = (colour) => {
     pen.clearRect(0, 0, 1, 1);
     pen.fillStyle = colour;
     pen.fillRect(0, 0, 1, 1);
     return [...pen.getImageData(0, 0, 1, 1).data];
   };
-  const luminance = (colour) => colour.slice(0, 3).map((c) => c / 255)
-    .map((c) => (c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
-    .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
+  const luminance = (colour) =>
+    colour
+      .slice(0, 3)
+      .map((c) => c / 255)
+      .map((c) => (c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4))
+      .reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
   const behind = (element) => {
     for (let e = element; e; e = e.parentElement) {
       const colour = rgba(getComputedStyle(e).backgroundColor);
@@ -62,29 +74,49 @@ function weak_texts() {
     if (!own || !element.checkVisibility() || element.closest("script, noscript, .skip")) continue;
     const style = getComputedStyle(element);
     // A text in a chart may lie on the field of the stable range, which is darker or lighter than the page.
-    const fields = element.closest("svg.chart") ? [behind(element), rgba(getComputedStyle(document.documentElement).getPropertyValue("--stable"))] : [behind(element)];
+    const fields = element.closest("svg.chart")
+      ? [behind(element), rgba(getComputedStyle(document.documentElement).getPropertyValue("--stable"))]
+      : [behind(element)];
     const ink = luminance(rgba(element instanceof SVGElement ? style.fill : style.color));
     for (const field of fields) {
       const other = luminance(field);
       const ratio = (Math.max(ink, other) + 0.05) / (Math.min(ink, other) + 0.05);
       const large = parseFloat(style.fontSize) >= 24;
-      if (ratio < (large ? 3 : 4.5)) weak.push(`${ratio.toFixed(2)} <${element.tagName} class="${element.getAttribute("class")}"> ${element.textContent.trim().slice(0, 40)}`);
+      if (ratio < (large ? 3 : 4.5))
+        weak.push(
+          `${ratio.toFixed(2)} <${element.tagName} class="${element.getAttribute("class")}"> ${element.textContent.trim().slice(0, 40)}`,
+        );
     }
   }
   return weak;
 }
 
 export async function check_contrast(page) {
-  await page.$$eval("details", (all) => all.forEach((one) => { one.open = true; }));
+  await page.$$eval("details", (all) =>
+    all.forEach((one) => {
+      one.open = true;
+    }),
+  );
   await page.waitForFunction(() => [...document.querySelectorAll("details")].every((one) => one.children.length > 1));
   assert.deepEqual(await page.evaluate(weak_texts), [], "contrast");
-  await page.$$eval("details", (all) => all.forEach((one) => { one.open = false; }));
+  await page.$$eval("details", (all) =>
+    all.forEach((one) => {
+      one.open = false;
+    }),
+  );
 }
 
 /** Tab reaches every control, and each shows that it has the focus. */
 export async function check_keys(page) {
-  const controls = await page.$$eval("a[href], button, input, select, summary, [tabindex='0']", (all) => all.filter((e) => e.checkVisibility()).length);
-  await page.evaluate(() => { document.activeElement.blur(); window.scrollTo(0, 0); window.reached = new Set(); });
+  const controls = await page.$$eval(
+    "a[href], button, input, select, summary, [tabindex='0']",
+    (all) => all.filter((e) => e.checkVisibility()).length,
+  );
+  await page.evaluate(() => {
+    document.activeElement.blur();
+    window.scrollTo(0, 0);
+    window.reached = new Set();
+  });
   const unseen = [];
   for (let i = 0; i < controls + 5; ++i) {
     await page.keyboard.press("Tab");
@@ -93,13 +125,17 @@ export async function check_keys(page) {
       if (element === document.body) return null;
       window.reached.add(element);
       const style = getComputedStyle(element);
-      return { name: element.outerHTML.slice(0, 80), outlined: style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 1 };
+      return {
+        name: element.outerHTML.slice(0, 80),
+        outlined: style.outlineStyle !== "none" && parseFloat(style.outlineWidth) >= 1,
+      };
     });
     if (state && !state.outlined) unseen.push(state.name);
   }
   assert.deepEqual(unseen, [], "no visible focus");
-  const missed = await page.$$eval("a[href], button, input, select, summary, [tabindex='0']",
-    (all) => all.filter((e) => e.checkVisibility() && !window.reached.has(e)).map((e) => e.outerHTML.slice(0, 80)));
+  const missed = await page.$$eval("a[href], button, input, select, summary, [tabindex='0']", (all) =>
+    all.filter((e) => e.checkVisibility() && !window.reached.has(e)).map((e) => e.outerHTML.slice(0, 80)),
+  );
   assert.deepEqual(missed, [], "not reached by Tab");
   return `${controls} controls`;
 }
@@ -107,8 +143,13 @@ export async function check_keys(page) {
 /** The accessibility rules of axe-core. */
 export async function check_accessibility(page) {
   await page.evaluate(axe_source);
-  const violations = await page.evaluate(async () => (await window.axe.run(document)).violations
-    .map(({ id, impact, nodes }) => ({ id, impact, where: nodes.map((node) => node.target.join(" ")).slice(0, 3) })));
+  const violations = await page.evaluate(async () =>
+    (await window.axe.run(document)).violations.map(({ id, impact, nodes }) => ({
+      id,
+      impact,
+      where: nodes.map((node) => node.target.join(" ")).slice(0, 3),
+    })),
+  );
   const serious = violations.filter(({ impact }) => impact === "serious" || impact === "critical");
   assert.deepEqual(serious, [], "axe-core");
   return violations.length ? `others: ${violations.map(({ id }) => id).join(", ")}` : "";
@@ -119,7 +160,7 @@ export async function check_curves(page, data) {
   const curves = (data.report.prediction?.segments ?? []).filter((segment) => segment.curve.length > 1);
   const charts = page.locator("#response svg.chart");
   if (curves.length === 0) return assert.equal(await charts.count(), 0);
-  assert.ok(await charts.count() >= curves.length, "a segment has no chart");
+  assert.ok((await charts.count()) >= curves.length, "a segment has no chart");
   await charts.first().focus();
   await page.keyboard.press("End");
   const last = curves[0].curve.at(-1);

@@ -34,7 +34,9 @@ function moves(data) {
 async function check_whole_page(browser, file, data) {
   const opened = await open(browser, file);
   const { page, state } = opened;
-  console.log(`figure  ${(statSync(file).size / 1e6).toFixed(2)} MB, ready ${Math.round(state.milliseconds)} ms after navigation`);
+  console.log(
+    `figure  ${(statSync(file).size / 1e6).toFixed(2)} MB, ready ${Math.round(state.milliseconds)} ms after navigation`,
+  );
   const has_view = state.viewer;
   if (data.meshes.size && data.html.includes("three.js")) await check("3-D view is there", () => assert.ok(has_view));
   if (has_view && moves(data)) {
@@ -105,9 +107,12 @@ async function check_damaged(browser, data, work) {
     return open(browser, file);
   };
   await check("damaged meshes", async () => {
-    const { page, said } = await opened("meshes.html", with_block(data.html, "model", Buffer.from("glTF, but no more of it").toString("base64")));
+    const { page, said } = await opened(
+      "meshes.html",
+      with_block(data.html, "model", Buffer.from("glTF, but no more of it").toString("base64")),
+    );
     assert.match(await page.locator(".stage .message").textContent(), /^The meshes cannot be read/);
-    assert.ok(await page.locator("#dimensions table").count() > 0, "tables are gone");
+    assert.ok((await page.locator("#dimensions table").count()) > 0, "tables are gone");
     assert.deepEqual(said, []);
     await page.close();
   });
@@ -126,7 +131,9 @@ function without_bundle(html) {
 
 async function screenshots(browser, file, data, folder) {
   mkdirSync(folder, { recursive: true });
-  const middle = data.view.segments.map((segment) => segment.states[Math.ceil((segment.states.length - 1) * 0.75)].pressure_kPa);
+  const middle = data.view.segments.map(
+    (segment) => segment.states[Math.ceil((segment.states.length - 1) * 0.75)].pressure_kPa,
+  );
   const shot = async (name, settings, act, whole = false) => {
     const { page } = await open(browser, file, settings);
     await page.evaluate((pressures) => window.latticast.setPressure(pressures), middle);
@@ -158,7 +165,13 @@ async function main([given, option, folder]) {
     await check_damaged(browser, data, work);
     const bare = join(work, "bare.html");
     writeFileSync(bare, without_bundle(data.html));
-    await check_without_view(browser, bare, data, "built without npm", /^3-D view left out: the program was built without npm\.$/);
+    await check_without_view(
+      browser,
+      bare,
+      data,
+      "built without npm",
+      /^3-D view left out: the program was built without npm\.$/,
+    );
     if (data.html.includes("three.js")) await check_without_view(blind, file, data, "browser without WebGL", /WebGL/);
     if (option === "--screenshots") await screenshots(browser, file, data, folder);
   } finally {

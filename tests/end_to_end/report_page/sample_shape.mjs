@@ -11,7 +11,7 @@ export function deed(segment, pressure_kPa) {
   const p = pressure_kPa / 40;
   return segment === 1
     ? { stretch: 1 + 0.18 * p + 0.06 * p * p, twist_deg: 38 * p, bend_deg: 0, widening: 1 + 0.03 * p }
-    : { stretch: 1 + 0.10 * p, twist_deg: 0, bend_deg: 62 * p - 6 * p * p, widening: 1 + 0.05 * p };
+    : { stretch: 1 + 0.1 * p, twist_deg: 0, bend_deg: 62 * p - 6 * p * p, widening: 1 + 0.05 * p };
 }
 
 /** Bends the straight, stretched actuator into an arc in the plane of x and z. */
@@ -25,17 +25,24 @@ function on_arc([x, y, z], length, bend) {
 /** @returns the place of a point of the shape at rest, given in cylinder coordinates */
 export function placed([r, theta, z], segment, pressure_kPa) {
   const { stretch, twist_deg, bend_deg, widening } = deed(segment, pressure_kPa);
-  const turned = theta + (twist_deg * Math.PI / 180) * (z / LENGTH_MM);
+  const turned = theta + ((twist_deg * Math.PI) / 180) * (z / LENGTH_MM);
   const point = [r * widening * Math.cos(turned), r * widening * Math.sin(turned), stretch * z];
-  return on_arc(point, stretch * LENGTH_MM, bend_deg * Math.PI / 180);
+  return on_arc(point, stretch * LENGTH_MM, (bend_deg * Math.PI) / 180);
 }
 
 /** @returns the frame of a segment's end: twist about the axis first, then the bend about y */
 export function end_frame(segment, pressure_kPa) {
   const { twist_deg, bend_deg } = deed(segment, pressure_kPa);
   const [a, b] = [(twist_deg * Math.PI) / 360, (bend_deg * Math.PI) / 360];
-  return { origin_mm: placed([0, 0, LENGTH_MM], segment, pressure_kPa),
-    quaternion: [Math.sin(b) * Math.sin(a), Math.sin(b) * Math.cos(a), Math.cos(b) * Math.sin(a), Math.cos(b) * Math.cos(a)] };
+  return {
+    origin_mm: placed([0, 0, LENGTH_MM], segment, pressure_kPa),
+    quaternion: [
+      Math.sin(b) * Math.sin(a),
+      Math.sin(b) * Math.cos(a),
+      Math.cos(b) * Math.sin(a),
+      Math.cos(b) * Math.cos(a),
+    ],
+  };
 }
 
 /** A closed strip of rings: `rings` places of four corners along z. */
@@ -45,7 +52,7 @@ function closed_bar(corners_at, rings) {
   for (let i = 0; i < rings; ++i) points.push(...corners_at(i / (rings - 1)));
   for (let i = 0; i + 1 < rings; ++i) {
     for (let j = 0; j < 4; ++j) {
-      const [a, b, c, d] = [4 * i + j, 4 * i + (j + 1) % 4, 4 * i + 4 + (j + 1) % 4, 4 * i + 4 + j];
+      const [a, b, c, d] = [4 * i + j, 4 * i + ((j + 1) % 4), 4 * i + 4 + ((j + 1) % 4), 4 * i + 4 + j];
       triangles.push(a, b, c, a, c, d);
     }
   }
@@ -61,9 +68,13 @@ export function lattice_shape(strips = 8, turn_deg = 60) {
   for (let k = 0; k < strips; ++k) {
     for (const sense of [1, -1]) {
       const bar = closed_bar((t) => {
-        const theta = (2 * Math.PI * k) / strips + sense * t * turn_deg * Math.PI / 180;
-        return [[LINER_MM, theta - 0.06, t * LENGTH_MM], [OUTER_MM, theta - 0.06, t * LENGTH_MM],
-          [OUTER_MM, theta + 0.06, t * LENGTH_MM], [LINER_MM, theta + 0.06, t * LENGTH_MM]];
+        const theta = (2 * Math.PI * k) / strips + (sense * t * turn_deg * Math.PI) / 180;
+        return [
+          [LINER_MM, theta - 0.06, t * LENGTH_MM],
+          [OUTER_MM, theta - 0.06, t * LENGTH_MM],
+          [OUTER_MM, theta + 0.06, t * LENGTH_MM],
+          [LINER_MM, theta + 0.06, t * LENGTH_MM],
+        ];
       }, 25);
       triangles.push(...bar.triangles.map((index) => index + points.length));
       points.push(...bar.points);
@@ -76,13 +87,16 @@ export function lattice_shape(strips = 8, turn_deg = 60) {
 export function liner_shape(around = 48, along = 30) {
   const points = [];
   const triangles = [];
-  const ring = [[INNER_MM, 0], ...Array.from({ length: along }, (_, i) => [LINER_MM, i / (along - 1)]),
-    ...Array.from({ length: along }, (_, i) => [INNER_MM, 1 - i / (along - 1)])].slice(1);
+  const ring = [
+    [INNER_MM, 0],
+    ...Array.from({ length: along }, (_, i) => [LINER_MM, i / (along - 1)]),
+    ...Array.from({ length: along }, (_, i) => [INNER_MM, 1 - i / (along - 1)]),
+  ].slice(1);
   for (let j = 0; j < around; ++j)
     for (const [r, t] of ring) points.push([r, (2 * Math.PI * j) / around, t * LENGTH_MM]);
   for (let j = 0; j < around; ++j) {
     for (let i = 0; i < ring.length; ++i) {
-      const [a, b] = [j * ring.length + i, j * ring.length + (i + 1) % ring.length];
+      const [a, b] = [j * ring.length + i, j * ring.length + ((i + 1) % ring.length)];
       const next = (index) => (index + ring.length) % points.length;
       triangles.push(a, next(a), next(b), a, next(b), b);
     }

@@ -6,7 +6,12 @@ import assert from "node:assert/strict";
 import { difference, settle } from "./browser.mjs";
 import { expected_vertices } from "./expected.mjs";
 
-const CORNERS = [[0, 0, 0.08, 0.08], [0.92, 0, 0.08, 0.08], [0, 0.92, 0.08, 0.08], [0.92, 0.92, 0.08, 0.08]];
+const CORNERS = [
+  [0, 0, 0.08, 0.08],
+  [0.92, 0, 0.08, 0.08],
+  [0, 0.92, 0.08, 0.08],
+  [0.92, 0.92, 0.08, 0.08],
+];
 
 /** @returns {number} largest distance of a coordinate from what the data say, mm */
 async function largest_error(page, data, pressures) {
@@ -14,7 +19,9 @@ async function largest_error(page, data, pressures) {
   for (const [node, expected] of expected_vertices(data, pressures)) {
     const shown = await page.evaluate((name) => [...window.latticast.vertices(name)], node);
     assert.equal(shown.length, expected.length, `vertices of ${node}`);
-    shown.forEach((value, i) => { largest = Math.max(largest, Math.abs(value - expected[i])); });
+    shown.forEach((value, i) => {
+      largest = Math.max(largest, Math.abs(value - expected[i]));
+    });
   }
   return largest;
 }
@@ -41,16 +48,29 @@ export async function check_sliders(page, data) {
       pressures.push(await slider_value(slider));
       const text = await slider.getAttribute("aria-valuetext");
       assert.match(text, /^\u2212?[\d.]+\u00a0kPa$/, "value in words");
-      assert.ok(Math.abs(parseFloat(text.replace("\u2212", "-")) - pressures.at(-1)) < 0.006, `${text} for ${pressures.at(-1)}`);
+      assert.ok(
+        Math.abs(parseFloat(text.replace("\u2212", "-")) - pressures.at(-1)) < 0.006,
+        `${text} for ${pressures.at(-1)}`,
+      );
     }
     if (keys[0] === "End") {
-      assert.deepEqual(pressures, data.view.segments.map((segment) => segment.states.at(-1).pressure_kPa));
+      assert.deepEqual(
+        pressures,
+        data.view.segments.map((segment) => segment.states.at(-1).pressure_kPa),
+      );
       assert.notDeepEqual(await page.evaluate(() => window.latticast.bounds()), at_rest, "nothing moved");
     }
     largest = Math.max(largest, await largest_error(page, data, pressures));
   }
   await page.evaluate(() => window.latticast.setPressure(0));
-  largest = Math.max(largest, await largest_error(page, data, data.view.segments.map(() => 0)));
+  largest = Math.max(
+    largest,
+    await largest_error(
+      page,
+      data,
+      data.view.segments.map(() => 0),
+    ),
+  );
   assert.ok(largest < 1e-3, `vertices are ${largest} mm from the data`);
   return `vertices within ${largest.toExponential(1)} mm of the data`;
 }
@@ -129,7 +149,10 @@ export async function check_findings(page, data) {
   assert.ok(await pin.evaluate((element) => element.classList.contains("chosen")), "the pin is not marked");
   assert.equal(await page.locator(`#finding-${index} button`).getAttribute("aria-pressed"), "true");
   const [box, stage] = [await pin.boundingBox(), await page.locator(".stage").boundingBox()];
-  assert.ok(Math.abs(box.x + 12 - stage.x - stage.width / 2) < 3 && Math.abs(box.y + 12 - stage.y - stage.height / 2) < 3, "the pin is not in the middle");
+  assert.ok(
+    Math.abs(box.x + 12 - stage.x - stage.width / 2) < 3 && Math.abs(box.y + 12 - stage.y - stage.height / 2) < 3,
+    "the pin is not in the middle",
+  );
   await page.getByRole("button", { name: "Fit", exact: true }).click();
   await settle(page);
   const other = placed.at(-1);
@@ -142,10 +165,16 @@ export async function check_findings(page, data) {
 
 /** Play moves only when asked to, and stops. */
 export async function check_play(page) {
-  const value = () => page.locator(".panel input[type=range]").first().evaluate((input) => input.valueAsNumber);
+  const value = () =>
+    page
+      .locator(".panel input[type=range]")
+      .first()
+      .evaluate((input) => input.valueAsNumber);
   assert.equal(await value(), 0, "the page began to move by itself");
   await page.getByRole("button", { name: "Play" }).click();
-  await page.waitForFunction(() => document.querySelector(".panel input[type=range]").valueAsNumber > 0, null, { timeout: 20000 });
+  await page.waitForFunction(() => document.querySelector(".panel input[type=range]").valueAsNumber > 0, null, {
+    timeout: 20000,
+  });
   await page.getByRole("button", { name: "Stop" }).click();
   const stopped = await value();
   await page.waitForTimeout(250);
