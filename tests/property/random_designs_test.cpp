@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::uint64_t seed = 20240917;
 constexpr int shards = 6;
-constexpr int designs_per_shard = 100;
+constexpr int designs_per_shard = 60;
 
 struct Outcome {
   bool delivered = false;
