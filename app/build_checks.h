@@ -10,7 +10,8 @@
 namespace latticast {
 
 /// What can go wrong with the parts that the plan makes, and no others: printing for a lattice or
-/// its mold, casting for molds, the whole load for a preview. A report lists all that the design has.
+/// its mold, casting for molds, the whole load for a preview. A report lists all that the design
+/// has.
 CheckFindings checks_before_build(const Design& design, const Plan& plan);
 
 /// Writes the errors for people, each with its place and remedy, and counts the warnings and notes;
