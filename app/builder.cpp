@@ -81,7 +81,9 @@ class Builder {
     const bool any_mold = plan_.runs(Stage::lattice_mold) || plan_.runs(Stage::liner_mold);
     if (any_mold) progress_.begin("molds");
     const std::vector<PlannedMold> molds = make_molds(design_, plan_);
-    for (const PlannedMold& planned : molds) expect_meshes(planned.mold.pieces.size());
+    for (const PlannedMold& planned : molds) {
+      expect_meshes(planned.mold.pieces.size());
+    }
     if (any_mold) note_time("molds, planned and meshed");
 #endif
     expect_steps();
@@ -105,8 +107,10 @@ class Builder {
     const std::size_t segments = design_.segments.size();
     if (plan_.runs(Stage::lattice)) expect_meshes(segments);
     if (plan_.runs(Stage::liner)) expect_meshes(segments);
-    if (plan_.runs(Stage::preview))
+    if (plan_.runs(Stage::flat_pattern)) progress_.expect(static_cast<int>(segments));
+    if (plan_.runs(Stage::preview)) {
       expect_meshes(2 * segments * design_.make.preview->cases.size());
+    }
     if (plan_.runs(Stage::report)) progress_.expect(3);
   }
 

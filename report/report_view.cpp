@@ -74,6 +74,7 @@ std::vector<State> states_of(const Design& design, const ReportCurves* curves, s
 // The segment by itself, its base at the origin.
 std::vector<PreviewShape> shapes_of(const Segment& segment, const std::vector<State>& states) {
   std::vector<PreviewShape> shapes;
+  shapes.reserve(states.size());
   for (const State& state : states) {
     shapes.push_back({"", Shape(std::span(&segment, 1), std::span(&state, 1)), {state}});
   }
