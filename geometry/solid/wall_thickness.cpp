@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -39,9 +38,31 @@ struct Facet {
   std::array<Point, 3> corners;
   Point normal{};  // of unit length
   double area = 0;
+  bool sure = true;  // of its normal; false for slivers that rounding may have turned
 };
 
+// By how much float32, relative to the largest coordinate, may lift a corner off its plane.
+constexpr double rounding = 0x1p-23;
+
+double longest_side(const Facet& facet) {
+  const auto& [a, b, c] = facet.corners;
+  const Point sides[] = {difference(b, a), difference(c, b), difference(a, c)};
+  double longest = 0;
+  for (const Point& side : sides) longest = std::max(longest, dot(side, side));
+  return std::sqrt(longest);
+}
+
+double largest_coordinate(const TriangleMesh& mesh) {
+  double largest = 0;
+  for (const Point& p : mesh.vertices) {
+    for (const double x : p) largest = std::max(largest, std::abs(x));
+  }
+  return largest;
+}
+
 std::vector<Facet> facets_of(const TriangleMesh& mesh) {
+  const double least_height =
+      rounding * largest_coordinate(mesh) / std::tan(radians(sharpest_wedge_deg));
   std::vector<Facet> facets;
   facets.reserve(mesh.triangles.size());
   for (const Triangle& t : mesh.triangles) {
@@ -52,6 +73,7 @@ std::vector<Facet> facets_of(const TriangleMesh& mesh) {
     if (twice == 0) continue;  // too thin for floating point: no surface to speak of
     facet.normal = {square[0] / twice, square[1] / twice, square[2] / twice};
     facet.area = 0.5 * twice;
+    facet.sure = twice > least_height * longest_side(facet);
     facets.push_back(facet);
   }
   return facets;
@@ -73,52 +95,86 @@ struct Box {
   }
 };
 
-/// A balanced tree of boxes. Node n's children are 2n + 1 and 2n + 2, each with half of its facets.
+/// A balanced tree of boxes. Node n's children are 2n + 1 and 2n + 2, each with half of its facets,
+/// which are kept in the tree's order: near ones together.
 class BoxTree {
  public:
-  explicit BoxTree(const std::vector<Facet>& facets) : facets_(facets), order_(facets.size()) {
-    std::iota(order_.begin(), order_.end(), 0U);
-    if (!order_.empty()) build(0, 0, order_.size());
+  explicit BoxTree(const std::vector<Facet>& facets) {
+    std::vector<Leaf> leaves(facets.size());
+    for (std::uint32_t i = 0; i < facets.size(); ++i) {
+      leaves[i].facet = i;
+      const auto& [a, b, c] = facets[i].corners;
+      for (int k = 0; k < 3; ++k) leaves[i].place[k] = static_cast<float>(a[k] + b[k] + c[k]);
+    }
+    if (!leaves.empty()) sort(leaves, 0, leaves.size());
+    facets_.reserve(facets.size());
+    for (const Leaf& leaf : leaves) facets_.push_back(facets[leaf.facet]);
+    if (!leaves.empty()) build(0, 0, leaves.size());
   }
+
+  const std::vector<Facet>& facets() const { return facets_; }
 
   template <class Visit>
   void for_each_near(const Box& box, Visit&& visit) const {
-    if (!order_.empty()) descend(0, 0, order_.size(), box, visit);
+    if (!facets_.empty()) descend(0, 0, facets_.size(), box, visit);
   }
 
  private:
   static constexpr std::size_t leaf_size = 4;
 
+  struct Leaf {
+    std::array<float, 3> place;  // three times the middle, which orders as well
+    std::uint32_t facet;
+  };
+
   static std::size_t half(std::size_t from, std::size_t to) { return from + (to - from) / 2; }
+
+  // Along which the middles of the facets are spread most.
+  static std::size_t widest_axis(const std::vector<Leaf>& leaves, std::size_t from,
+                                 std::size_t to) {
+    std::array<float, 3> low = leaves[from].place;
+    std::array<float, 3> high = low;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      for (int k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], leaves[i].place[k]);
+        high[k] = std::max(high[k], leaves[i].place[k]);
+      }
+    }
+    std::size_t widest = 0;
+    for (std::size_t k = 1; k < 3; ++k) {
+      if (high[k] - low[k] > high[widest] - low[widest]) widest = k;
+    }
+    return widest;
+  }
+
+  static void sort(std::vector<Leaf>& leaves, std::size_t from, std::size_t to) {
+    if (to - from <= leaf_size) return;
+    const std::size_t axis = widest_axis(leaves, from, to);
+    const std::size_t split = half(from, to);
+    const auto at = [&](std::size_t i) { return leaves.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(from), at(split), at(to), [axis](const Leaf& a, const Leaf& b) {
+      return a.place[axis] < b.place[axis];
+    });
+    sort(leaves, from, split);
+    sort(leaves, split, to);
+  }
 
   void build(std::size_t node, std::size_t from, std::size_t to) {
     if (nodes_.size() <= node) nodes_.resize(2 * node + 1);
     Box box;
-    Box middles;
-    for (std::size_t i = from; i < to; ++i) {
-      const Facet& facet = facets_[order_[i]];
-      for (const Point& corner : facet.corners) box.add(corner);
-      middles.add(middle(facet));
+    if (to - from <= leaf_size) {
+      for (std::size_t i = from; i < to; ++i) {
+        for (const Point& corner : facets_[i].corners) box.add(corner);
+      }
+    } else {
+      build(2 * node + 1, from, half(from, to));
+      build(2 * node + 2, half(from, to), to);
+      for (const Box& child : {nodes_[2 * node + 1], nodes_[2 * node + 2]}) {
+        box.add(child.low);
+        box.add(child.high);
+      }
     }
     nodes_[node] = box;
-    if (to - from <= leaf_size) return;
-    const Point extent = difference(middles.high, middles.low);
-    const auto axis = std::max_element(extent.begin(), extent.end()) - extent.begin();
-    const std::size_t split = half(from, to);
-    std::nth_element(order_.begin() + static_cast<std::ptrdiff_t>(from),
-                     order_.begin() + static_cast<std::ptrdiff_t>(split),
-                     order_.begin() + static_cast<std::ptrdiff_t>(to),
-                     [&](std::uint32_t a, std::uint32_t b) {
-                       return middle(facets_[a])[axis] < middle(facets_[b])[axis];
-                     });
-    build(2 * node + 1, from, split);
-    build(2 * node + 2, split, to);
-  }
-
-  // Three times the middle, which orders as well.
-  static Point middle(const Facet& facet) {
-    const auto& [a, b, c] = facet.corners;
-    return {a[0] + b[0] + c[0], a[1] + b[1] + c[1], a[2] + b[2] + c[2]};
   }
 
   template <class Visit>
@@ -126,7 +182,7 @@ class BoxTree {
                Visit& visit) const {
     if (!nodes_[node].meets(box)) return;
     if (to - from <= leaf_size) {
-      for (std::size_t i = from; i < to; ++i) visit(facets_[order_[i]]);
+      for (std::size_t i = from; i < to; ++i) visit(facets_[i]);
       return;
     }
     const std::size_t split = half(from, to);
@@ -134,8 +190,7 @@ class BoxTree {
     descend(2 * node + 2, split, to, box, visit);
   }
 
-  const std::vector<Facet>& facets_;
-  std::vector<std::uint32_t> order_;
+  std::vector<Facet> facets_;
   std::vector<Box> nodes_;
 };
 
@@ -257,7 +312,7 @@ bool meets_in_an_edge(const Point& point, const Facet& facet, const Opposite& un
 std::optional<double> wall_under(const Point& point, const Facet& facet, const BoxTree& tree,
                                  double limit) {
   const auto under = opposite(point, facet, tree, limit);
-  if (!under) return std::nullopt;
+  if (!under || !under->facet->sure) return std::nullopt;
   const double facing = -dot(facet.normal, under->facet->normal);
   if (facing < std::cos(radians(widest_taper_deg))) return std::nullopt;
   if (facing < std::cos(radians(sharpest_wedge_deg)) &&
@@ -270,12 +325,12 @@ std::optional<double> wall_under(const Point& point, const Facet& facet, const B
 }  // namespace
 
 ThinWalls thin_walls(const TriangleMesh& sound, double limit_mm) {
-  const std::vector<Facet> facets = facets_of(sound);
-  const BoxTree tree(facets);
+  const BoxTree tree(facets_of(sound));
   ThinWalls found;
-  for (const Facet& facet : facets) found.surface_mm2 += facet.area;
+  for (const Facet& facet : tree.facets()) found.surface_mm2 += facet.area;
   const double spacing = std::max(limit_mm, std::sqrt(found.surface_mm2 / most_points));
-  for (const Facet& facet : facets) {
+  for (const Facet& facet : tree.facets()) {
+    if (!facet.sure) continue;
     spread_points(facet, spacing, [&](const Point& point, double area) {
       const auto thickness = wall_under(point, facet, tree, limit_mm);
       if (!thickness) return;

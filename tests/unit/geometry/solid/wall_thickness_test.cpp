@@ -178,6 +178,14 @@ TEST(WallThickness, OfWedgesDoesNotCount) {
   EXPECT_TRUE(std::isinf(thin_walls(placed(tetrahedron(), 10, {1, 2, 3}), 0.8).least_mm));
 }
 
+// Lower than float32 tells at this size, such facets may look anywhere.
+TEST(WallThickness, IsNotMeasuredFromSlivers) {
+  const TriangleMesh needle = placed(box(1e-5, 1e-5, 10), 1, {12, 0, 0});
+  EXPECT_TRUE(std::isinf(thin_walls(together(box(10, 10, 50), needle), 0.8).least_mm));
+  const TriangleMesh sheet = placed(box(1e-5, 8, 10), 1, {12, 0, 0});
+  EXPECT_NEAR(thin_walls(together(box(10, 10, 50), sheet), 0.8).least_mm, 1e-5, 1e-9);
+}
+
 TEST(WallThickness, CountsWhereATaperIsLong) {
   EXPECT_LT(thin_walls(wedge(3), 0.8).least_mm, 0.1);
   for (const double angle : {2.0, 4.0, 8.0, 15.0, 19.0}) {
