@@ -99,6 +99,7 @@ constexpr std::array codes = {
     CheckCode{"mesh-pinched-vertex", Severity::error, "the surface touches itself in a point"},
     CheckCode{"mesh-self-intersection", Severity::error, "the surface crosses itself"},
     CheckCode{"mesh-inside-out", Severity::error, "a body faces the wrong way"},
+    CheckCode{"mesh-thin-wall", Severity::warning, "walls are thinner than melted plastic prints"},
     CheckCode{"enclosed-void", Severity::warning, "a cavity has no way out"},
 };
 

@@ -18,7 +18,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 // A free rubber surface creases where compression along it, over the stretch square to it, falls
-// to 0.65^2: W. Hong, X. Zhao, Z. Suo, Appl. Phys. Lett. 95 (2009) 111901.
+// to 0.65^2, whatever the stretch along the crease: docs/checks.md.
 constexpr double creasing = 0.65 * 0.65;
 
 double shortened_side_rad(const State& state) {
@@ -65,7 +65,18 @@ Horseshoe bent_arc(const Horseshoe& rest, double stretch) {
   return arc;
 }
 
-/// Between neighbouring columns, and inside an arc of its own, whichever is less.
+/// Within a column: inside an arc, and between arcs of more than a half circle that bulge to the
+/// same side: the next but one, or the next.
+double gap_in_column_mm(const Horseshoe& arc, double width_mm) {
+  const double across = 2 * arc.radius_mm;
+  const double inside = across - width_mm;
+  if (arc.arc_deg <= 180) return inside;
+  const double apart =
+      arc.alternate ? 2 * chord_mm(arc) - across - width_mm : chord_mm(arc) - across;
+  return std::min(inside, apart);
+}
+
+/// Between neighbouring columns, and within one, whichever is less.
 double horseshoe_gap_mm(const Segment& segment, const Grid& grid, const State& state) {
   const double angle = grid.angle_deg * pi / 180;
   double least = HUGE_VAL;
@@ -81,8 +92,7 @@ double horseshoe_gap_mm(const Segment& segment, const Grid& grid, const State& s
     const double between = grid.count() < 2 ? HUGE_VAL
                                             : centre_distance_mm(column, spacing) -
                                                   width_of_pair_mm(grid, station.strand);
-    const double inside = 2 * column.shape.radius_mm - station.width_mm;
-    least = std::min({least, between, inside});
+    least = std::min({least, between, gap_in_column_mm(column.shape, station.width_mm)});
   }
   return least;
 }

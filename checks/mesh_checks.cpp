@@ -9,8 +9,10 @@
 #include <fmt/core.h>
 
 #include "checks/bed_check.h"
+#include "checks/lattice_use.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/audit.h"
+#include "geometry/solid/wall_thickness.h"
 
 namespace latticast {
 namespace {
@@ -119,6 +121,25 @@ void check_voids(const TriangleMesh& mesh, const std::string& name, CheckFinding
   }
 }
 
+// The file has chords where a wall of just the limit was curved.
+void check_walls(const TriangleMesh& mesh, const std::string& name, CheckFindings& findings) {
+  const double limit = least_wall_mm(Printer{});
+  const ThinWalls found = thin_walls(mesh, limit);
+  if (!clearly_below(found.least_mm, (1 - chord_allowance) * limit)) return;
+  CheckFinding finding = check_finding("mesh-thin-wall");
+  finding.part = name;
+  finding.value = found.least_mm;
+  finding.limit = limit;
+  finding.unit = "mm";
+  finding.message = fmt::format(
+      "walls of {:.3g} mm, the thinnest at {}; {:.2g} % of the surface bounds walls thinner than "
+      "{:.3g} mm, two lines of a 0.4 mm nozzle (a file does not say its printer)",
+      found.least_mm, place_text(found.where), 100 * found.thinner_mm2 / found.surface_mm2, limit);
+  finding.remedy = fmt::format(
+      "make them {:.3g} mm thick, or print with a process that makes such walls", limit);
+  findings.push_back(std::move(finding));
+}
+
 void check_size(const Audit& found, const std::string& name, CheckFindings& findings) {
   auto finding =
       bed_finding(name,
@@ -139,7 +160,10 @@ CheckFindings mesh_checks(const TriangleMesh& mesh, const std::string& name) {
   const Audit found = audit(welded);
   CheckFindings findings;
   check_defects(found, name, findings);
-  if (found.passes()) check_voids(welded, name, findings);
+  if (found.passes()) {
+    check_walls(welded, name, findings);
+    check_voids(welded, name, findings);
+  }
   if (found.count(Defect::not_finite) == 0) check_size(found, name, findings);
   return findings;
 }

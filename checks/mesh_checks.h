@@ -13,9 +13,15 @@ namespace latticast {
 /// Of a common desktop printer; a file does not say which printer it is for.
 inline constexpr std::array<double, 3> usual_bed_mm = {220, 220, 250};
 
+/// What a curved wall may be thinner than the least wall, relative, before it is found thin: chords
+/// of n to the turn take 1 - cos(pi/n) off, which is less from n = 23 on.
+inline constexpr double chord_allowance = 0.01;
+
 /// A finding for every kind of defect that the audit counts, with how many there are and where the
-/// first is; enclosed-void for every body that faces inwards inside another, where there are no
-/// defects; exceeds-bed as a warning, z being up. `name` is the file's, and every finding's part.
+/// first is; where there are no defects, mesh-thin-wall for the thinnest wall that is below the
+/// least one of melted plastic (lattice_use.h), and enclosed-void for every body that faces inwards
+/// inside another; exceeds-bed as a warning, z being up. `name` is the file's, and every finding's
+/// part.
 CheckFindings mesh_checks(const TriangleMesh& mesh, const std::string& name);
 
 }  // namespace latticast

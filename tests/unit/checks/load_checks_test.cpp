@@ -144,6 +144,33 @@ TEST(LoadChecks, StrainStrandsAsTheirPointsMove) {
   }
 }
 
+// Arcs of more than a half circle come nearest to the next but one: two circles 2 c apart.
+TEST(LoadChecks, SeeAnArcTouchTheNextButOne) {
+  const double radius = 85 / (16 * 2 * std::sin(110 * degree));
+  const double width = 4 * radius * std::sin(110 * degree) - 2 * radius - 0.2;
+  const Segment segment = columns(std::vector<double>(4, width), 90, {radius, 220, true});
+  const CheckFindings findings = check(segment, {-60});
+  const CheckFinding* finding = find(findings, "strands-touch-inflated");
+  ASSERT_NE(finding, nullptr);
+  EXPECT_EQ(finding->part, "grid 0");
+  const double at = *finding->pressure_kpa;
+  EXPECT_LT(at, 0);
+  EXPECT_EQ(find(check(segment, {0.98 * at}), "strands-touch-inflated"), nullptr);
+  EXPECT_NE(find(check(segment, {1.02 * at}), "strands-touch-inflated"), nullptr);
+
+  const State state = *predict(segment, {}, std::array{at}).states[0];
+  const double length = radius * 220 * degree;
+  const double chord =
+      2 * radius * std::sin(110 * degree) * wall_stretch(segment, state, 17, 0).along(90 * degree);
+  double half = 110 * degree;  // of the present arc, whose chord is length sin(half) / half
+  for (int i = 0; i < 60; ++i) {
+    const double slope = length * (half * std::cos(half) - std::sin(half)) / (half * half);
+    half -= (length * std::sin(half) / half - chord) / slope;
+  }
+  EXPECT_NEAR(2 * chord - length / half - width, 0, 0.002);
+  EXPECT_GT(length / half, width);  // each arc by itself is open
+}
+
 TEST(LoadChecks, KnowBothSidesOfABend) {
   const Segment segment = columns(halves(16, 4, 2));
   const State state = *predict(segment, {}, std::array{40.0}).states[0];

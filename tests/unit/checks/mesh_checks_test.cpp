@@ -58,6 +58,41 @@ TEST(MeshChecks, CountEveryKindOfDefect) {
   EXPECT_EQ(with_code(mesh_checks(mesh, "box.stl"), "mesh-not-finite").size(), 1U);
 }
 
+CheckFindings plate_findings(double thickness, double from = 0) {
+  TriangleMesh mesh;
+  add_box(mesh, {from, 0, 0}, {from + thickness, 10, 10});
+  return with_code(mesh_checks(mesh, "plate.stl"), "mesh-thin-wall");
+}
+
+TEST(MeshChecks, WarnOfThinWallsWithTheirPlaceAndShare) {
+  const auto found = plate_findings(0.5, 3);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].severity, Severity::warning);
+  EXPECT_NEAR(*found[0].value, 0.5, 1e-6);
+  EXPECT_EQ(*found[0].limit, 0.8);
+  EXPECT_NE(found[0].message.find("x 3.250"), std::string::npos) << found[0].message;
+  EXPECT_NE(found[0].message.find("91 %"), std::string::npos) << found[0].message;  // 200 of 220
+}
+
+// Also where float32 rounds the thickness down, and where chords take a little off.
+TEST(MeshChecks, AcceptWallsAtTheLimit) {
+  for (const double from : {0.0, 0.1, 10.7, 100.3, -77.7}) {
+    EXPECT_TRUE(plate_findings(0.8, from).empty()) << from;
+    EXPECT_EQ(plate_findings(0.79, from).size(), 1U) << from;
+  }
+  Segment tube;
+  tube.length_mm = 30;
+  tube.liner = {12, 0.8, {}};
+  EXPECT_TRUE(mesh_checks(liner_solid(tube, {0.05}).mesh, "liner.stl").empty());
+}
+
+TEST(MeshChecks, MeasureNoWallsOfBrokenMeshes) {
+  TriangleMesh mesh;
+  add_box(mesh, {0, 0, 0}, {0.5, 10, 10});
+  mesh.triangles.pop_back();
+  EXPECT_TRUE(with_code(mesh_checks(mesh, "box.stl"), "mesh-thin-wall").empty());
+}
+
 TEST(MeshChecks, WarnOfPartsBeyondAUsualBed) {
   const auto size = [](double x, double y, double z) {
     TriangleMesh mesh;
