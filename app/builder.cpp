@@ -14,6 +14,7 @@
 #include "app/interrupt.h"
 #include "app/progress.h"
 #include "app/staging_folder.h"
+#include "export/atomic_file.h"
 #include "export/glb_file.h"
 #include "export/mesh_file.h"
 #include "export/ply_file.h"
@@ -24,7 +25,6 @@
 #if LATTICAST_HAS_MOLDS
 #include "app/mold_picture.h"
 #include "app/mold_set.h"
-#include "export/atomic_file.h"
 #include "molds/print_size.h"
 #endif
 #if LATTICAST_HAS_PREDICT
@@ -203,11 +203,6 @@ class Builder {
     summary_ += fmt::format("{}: all of them, as an animation from rest\n", file);
   }
 
-  bool writes(MeshFormat format) const {
-    const std::vector<MeshFormat>& formats = design_.output.formats;
-    return std::find(formats.begin(), formats.end(), format) != formats.end();
-  }
-
   void preview_part(std::size_t s, bool is_liner, const SolidOptions& options,
                     const std::vector<PreviewShape>& shapes, PreviewParts& parts) {
     const Segment& segment = design_.segments[s];
@@ -260,6 +255,11 @@ class Builder {
     note_time("report, page");
   }
 #endif
+
+  bool writes(MeshFormat format) const {
+    const std::vector<MeshFormat>& formats = design_.output.formats;
+    return std::find(formats.begin(), formats.end(), format) != formats.end();
+  }
 
   // A file that is no mesh; meshes are recorded with what their audit found.
   std::filesystem::path add_file(const std::string& name) {
