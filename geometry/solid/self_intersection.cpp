@@ -7,6 +7,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include "geometry/solid/oriented_box.h"
+
 namespace latticast {
 namespace {
 
@@ -189,9 +191,13 @@ class BoxTree {
     std::sort(order.begin(), order.end());
     for (const auto& [place, triangle] : order) {
       triangles_.push_back(triangle);
-      leaf_boxes_.push_back(boxes[triangle]);
+      boxes_.push_back(boxes[triangle]);
     }
-    if (!triangles_.empty()) build(0, 0, triangles_.size());
+    for (int axis = 0; axis < 3; ++axis) {
+      const double largest = std::max(std::abs(all.low[axis]), std::abs(all.high[axis]));
+      margin_ = std::max(margin_, 1e-12 * largest);
+    }
+    if (!triangles_.empty()) build(mesh, 0, 0, triangles_.size());
   }
 
   // Calls test(i, j) for every pair of triangles whose boxes meet.
@@ -202,6 +208,21 @@ class BoxTree {
 
  private:
   static constexpr std::size_t leaf_size = 4;
+
+  // Bounds are quick to compare. Those of long thin triangles that lie askew side by side meet each
+  // other, however thin; the oriented boxes do not.
+  struct Node {
+    Box bounds;
+    OrientedBox oriented;
+
+    void add(const Node& node) {
+      bounds.add(node.bounds);
+      oriented = OrientedBox::around(oriented, node.oriented);
+    }
+    bool may_meet(const Node& node) const {
+      return bounds.meets(node.bounds) && oriented.may_meet(node.oriented);
+    }
+  };
 
   // Position of the box's middle on a Morton curve with 21 bits an axis.
   static std::uint64_t place_on_curve(const Box& box, const Box& all) {
@@ -227,18 +248,23 @@ class BoxTree {
   static std::size_t half(std::size_t from, std::size_t to) { return from + (to - from) / 2; }
 
   // Node n's children are 2n + 1 and 2n + 2, each with half of its triangles.
-  void build(std::size_t node, std::size_t from, std::size_t to) {
+  void build(const TriangleMesh& mesh, std::size_t node, std::size_t from, std::size_t to) {
     if (nodes_.size() <= node) nodes_.resize(2 * node + 1);
-    Box box;
     if (to - from <= leaf_size) {
-      for (std::size_t i = from; i < to; ++i) box.add(leaf_boxes_[i]);
+      nodes_[node] = leaf(mesh, from);
+      for (std::size_t i = from + 1; i < to; ++i) nodes_[node].add(leaf(mesh, i));
     } else {
-      build(2 * node + 1, from, half(from, to));
-      build(2 * node + 2, half(from, to), to);
-      box = nodes_[2 * node + 1];
-      box.add(nodes_[2 * node + 2]);
+      build(mesh, 2 * node + 1, from, half(from, to));
+      build(mesh, 2 * node + 2, half(from, to), to);
+      nodes_[node] = nodes_[2 * node + 1];
+      nodes_[node].add(nodes_[2 * node + 2]);
     }
-    nodes_[node] = box;
+  }
+
+  Node leaf(const TriangleMesh& mesh, std::size_t i) const {
+    const Triangle& t = mesh.triangles[triangles_[i]];
+    return {boxes_[i], OrientedBox::around(mesh.vertices[t[0]], mesh.vertices[t[1]],
+                                           mesh.vertices[t[2]], margin_)};
   }
 
   template <class Test>
@@ -258,12 +284,12 @@ class BoxTree {
   template <class Test>
   void between(std::size_t a, std::size_t a_from, std::size_t a_to, std::size_t b,
                std::size_t b_from, std::size_t b_to, Test& test) const {
-    if (!nodes_[a].meets(nodes_[b])) return;
+    if (!nodes_[a].may_meet(nodes_[b])) return;
     const bool a_is_leaf = a_to - a_from <= leaf_size;
     const bool b_is_leaf = b_to - b_from <= leaf_size;
     if (a_is_leaf && b_is_leaf) {
       for (std::size_t i = a_from; i < a_to; ++i) {
-        if (!leaf_boxes_[i].meets(nodes_[b])) continue;
+        if (!boxes_[i].meets(nodes_[b].bounds)) continue;
         for (std::size_t j = b_from; j < b_to; ++j) test_pair(i, j, test);
       }
     } else if (b_is_leaf || (!a_is_leaf && a_to - a_from >= b_to - b_from)) {
@@ -279,12 +305,13 @@ class BoxTree {
 
   template <class Test>
   void test_pair(std::size_t i, std::size_t j, Test& test) const {
-    if (leaf_boxes_[i].meets(leaf_boxes_[j])) test(triangles_[i], triangles_[j]);
+    if (boxes_[i].meets(boxes_[j])) test(triangles_[i], triangles_[j]);
   }
 
+  double margin_ = 0;
   std::vector<std::uint32_t> triangles_;
-  std::vector<Box> leaf_boxes_;
-  std::vector<Box> nodes_;
+  std::vector<Box> boxes_;
+  std::vector<Node> nodes_;
 };
 
 }  // namespace

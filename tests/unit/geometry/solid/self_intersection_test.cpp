@@ -139,6 +139,39 @@ TEST(SelfIntersections, OfRandomlyJoinedTrianglesAreThoseOfEveryPair) {
   }
 }
 
+// Strands around a tube leave slivers that lie askew side by side; some of these are shifted.
+TriangleMesh askew_slivers(RandomNumbers& random, bool in_a_plane) {
+  TriangleMesh mesh;
+  const double width = random.log_between(1e-3, 0.1);
+  const Point along{random.between(-1, 1), random.between(-1, 1), 1};
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    const double lift = 0.2 * width * random.between(-1, 1);
+    for (const auto& [part, side] : {std::pair(0.0, 0.0), {1.0, 0.3}, {0.4, 0.9}}) {
+      Point p{width * (i + side + 0.3 * random.between(-1, 1)), lift, 0};
+      for (int axis = 0; axis < 3; ++axis) p[axis] += part * along[axis];
+      if (in_a_plane) p[1] = 2 * p[0];
+      mesh.vertices.push_back(p);
+    }
+    const Triangle triangle{3 * i, 3 * i + 1, 3 * i + 2};
+    if (!is_degenerate(mesh, triangle)) mesh.triangles.push_back(triangle);
+  }
+  return mesh;
+}
+
+TEST(SelfIntersections, OfSliversSideBySideAreThoseOfEveryPair) {
+  constexpr std::uint64_t seed = 4701;
+  std::size_t pairs = 0;
+  for (std::uint64_t i = 0; i < 40; ++i) {
+    SCOPED_TRACE("seed " + std::to_string(seed + i));
+    RandomNumbers random(seed + i);
+    const TriangleMesh mesh = askew_slivers(random, i % 2 == 0);
+    const Pairs expected = every_pair(mesh);
+    ASSERT_EQ(found(mesh), expected);
+    pairs += expected.size();
+  }
+  EXPECT_GT(pairs, 50U);
+}
+
 TEST(SelfIntersections, LeaveOutWhatIsSkipped) {
   TriangleMesh mesh = together(tetrahedron(), placed(tetrahedron(), 1, {0.2, 0.2, 0.2}));
   ASSERT_FALSE(found(mesh).empty());
