@@ -36,7 +36,7 @@ struct ReportView {
 
 /// States are taken at even distances of what the eye sees: turning, bending, growing. Meshes are
 /// as fine as 0.05 mm, or the design's tolerance where that is coarser, as long as all vertices in
-/// all states stay below 150 000; otherwise coarser, up to 1 mm. Without curves only rest is shown.
+/// all states stay below 110 000; otherwise coarser, up to 1 mm. Without curves only rest is shown.
 /// Throws GeometryError, CannotDraw.
 ReportView make_view(const Design& design, const ReportCurves* curves);
 
