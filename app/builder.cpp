@@ -110,6 +110,7 @@ class Builder {
     if (plan_.runs(Stage::flat_pattern)) progress_.expect(static_cast<int>(segments));
     if (plan_.runs(Stage::preview)) {
       expect_meshes(2 * segments * design_.make.preview->cases.size());
+      progress_.expect(1);  // the picture
     }
     if (plan_.runs(Stage::report)) progress_.expect(3);
   }
@@ -185,6 +186,7 @@ class Builder {
       preview_part(s, true, options, shapes, parts);
     }
     const std::string file = design_.name + "-preview.png";
+    progress_.begin(file);
     write_png(add_file(file), preview_picture(parts.picture, shapes));
     summary_ += fmt::format("{}: {} shapes side by side\n", file, shapes.size());
     if (writes(MeshFormat::glb)) write_animation(parts.scene);

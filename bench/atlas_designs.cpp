@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "bench/dice.h"
+#include "tests/random_numbers.h"
 
 namespace latticast {
 namespace {
@@ -115,7 +115,7 @@ AtlasMap wall_map(int per_axis) {
   return map;
 }
 
-Law random_rubber(Dice& dice, double mu) {
+Law random_rubber(testing::Random& dice, double mu) {
   switch (dice.integer(0, 2)) {
     case 0:
       return NeoHookean{mu};
@@ -126,7 +126,7 @@ Law random_rubber(Dice& dice, double mu) {
   }
 }
 
-double random_angle(Dice& dice) {
+double random_angle(testing::Random& dice) {
   if (dice.chance(0.2)) return 90;
   if (dice.chance(0.3)) {
     const double from_end = dice.log_between(0.01, 10);
@@ -135,7 +135,7 @@ double random_angle(Dice& dice) {
   return dice.between(5, 175);
 }
 
-std::vector<double> random_widths(Dice& dice, int count, double room_mm) {
+std::vector<double> random_widths(testing::Random& dice, int count, double room_mm) {
   const double widest = room_mm / count * dice.log_between(1e-3, 0.95);
   std::vector<double> widths(count, widest);
   if (!dice.chance(0.25) || count > 200) return widths;
@@ -145,7 +145,7 @@ std::vector<double> random_widths(Dice& dice, int count, double room_mm) {
   return widths;
 }
 
-Grid random_grid(Dice& dice, double middle_mm, bool axial) {
+Grid random_grid(testing::Random& dice, double middle_mm, bool axial) {
   Grid grid;
   grid.angle_deg = axial ? 90 : random_angle(dice);
   const int count = dice.chance(0.1)   ? 1
@@ -160,7 +160,7 @@ Grid random_grid(Dice& dice, double middle_mm, bool axial) {
   return grid;
 }
 
-Lattice random_lattice(Dice& dice, const Segment& segment, double modulus, bool axial) {
+Lattice random_lattice(testing::Random& dice, const Segment& segment, double modulus, bool axial) {
   Lattice lattice;
   lattice.thickness_mm = segment.liner_outer_radius_mm() * dice.log_between(1e-3, 1);
   lattice.material.law = Linear{modulus, 0.5};
@@ -189,7 +189,7 @@ std::vector<AtlasMap> atlas_maps(int per_axis) {
 }
 
 AtlasDesign random_atlas_design(unsigned seed, int index) {
-  Dice dice(seed, index);
+  testing::Random dice(seed, index);
   AtlasDesign design;
   const bool rods = dice.chance(0.08);
   design.model.columns = rods ? ColumnModel::rods : ColumnModel::distributed;

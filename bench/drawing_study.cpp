@@ -14,13 +14,13 @@
 
 #include <fmt/core.h>
 
-#include "bench/dice.h"
 #include "bench/study.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/audit.h"
 #include "geometry/solid/tube_solids.h"
 #include "spec/read_design.h"
+#include "tests/random_numbers.h"
 
 namespace {
 
@@ -45,7 +45,7 @@ std::string number(double value) {
   return fmt::format("{:.12g}", value);
 }
 
-double random_angle(Dice& dice) {
+double random_angle(testing::Random& dice) {
   if (dice.chance(0.2)) return 90;
   if (dice.chance(0.4)) {
     const double from_end = dice.log_between(0.01, 10);
@@ -54,7 +54,7 @@ double random_angle(Dice& dice) {
   return dice.between(5, 175);
 }
 
-std::string widths_text(Dice& dice, int count, double widest) {
+std::string widths_text(testing::Random& dice, int count, double widest) {
   if (!dice.chance(0.3) || count < 2) return number(widest);
   const double thin = widest / dice.log_between(1, 1000);
   return "{ from = " + number(thin) + ", to = " + number(widest) +
@@ -66,7 +66,7 @@ double columns(double radius_mm, double tolerance_mm) {
   return std::max(12.0, 2 * std::numbers::pi * std::sqrt(radius_mm / (12 * tolerance_mm)));
 }
 
-std::string grid_text(Dice& dice, double middle_mm, Drawing& drawing) {
+std::string grid_text(testing::Random& dice, double middle_mm, Drawing& drawing) {
   const double angle = random_angle(dice);
   const int count = dice.chance(0.15)  ? 1
                     : dice.chance(0.2) ? static_cast<int>(dice.log_between(30, 2000))
@@ -94,7 +94,7 @@ std::string grid_text(Dice& dice, double middle_mm, Drawing& drawing) {
   return text;
 }
 
-Drawing draft(Dice& dice) {
+Drawing draft(testing::Random& dice) {
   Drawing drawing;
   drawing.length_mm = dice.log_between(1e-2, 1e5);
   drawing.tolerance_mm = dice.log_between(1e-5, 1e-1);
@@ -124,7 +124,7 @@ Drawing draft(Dice& dice) {
 
 /// Nine in ten are small enough to be drawn at once; the tenth may be large.
 Drawing random_drawing(int index) {
-  Dice dice(seed, index);
+  testing::Random dice(seed, index);
   const double most = dice.chance(0.1) ? 10 * most_pieces : most_pieces;
   Drawing drawing = draft(dice);
   while (drawing.pieces > most) drawing = draft(dice);

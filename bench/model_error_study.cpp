@@ -6,9 +6,7 @@
 //   model_error                          every value
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <functional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -18,6 +16,7 @@
 
 #include "bench/study.h"
 #include "model/response.h"
+#include "tests/golden/finite_element_cell.h"
 #include "tests/unit/model/segments.h"
 
 namespace {
@@ -77,20 +76,12 @@ void add_finite_elements(std::vector<Quantity>& all) {
   Segment segment = testing::paper_segment({36});
   segment.length_mm = 80;  // whole periods of the cell
   segment.lattice->rings = Rings{std::nullopt, 10.0, 2};
-  std::ifstream file(LATTICAST_SOURCE_DIR "/tests/golden/fe_alpha36.csv");
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    std::istringstream fields(line);
-    double pressure = 0;
-    double stretch = 0;
-    double twist = 0;
-    char comma = 0;
-    fields >> pressure >> comma >> stretch >> comma >> twist;
+  for (const testing::CellState& at : testing::finite_element_cell()) {
+    const double pressure = at.pressure_kpa;
     if (std::fmod(pressure, 20) != 0) continue;
     all.push_back({fmt::format("stretch - 1 at {:g} kPa", pressure),
                    "finite elements",
-                   stretch - 1,
+                   at.stretch - 1,
                    segment,
                    pressure,
                    {},
@@ -98,14 +89,13 @@ void add_finite_elements(std::vector<Quantity>& all) {
                    lengthened});
     all.push_back({fmt::format("twist in deg/100 mm at {:g} kPa", pressure),
                    "finite elements",
-                   twist * 100 / degree,
+                   at.twist_rad_per_mm * 100 / degree,
                    segment,
                    pressure,
                    {},
                    [](const State& s) { return turned(s) * 100 / degree; },
                    [](const State& s) { return times_radius(turned(s)); }});
   }
-  if (all.empty()) throw std::runtime_error("the finite-element numbers cannot be read");
 }
 
 std::vector<Quantity> twisting_quantities() {

@@ -7,13 +7,12 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "model/inflated_wall.h"
+#include "tests/golden/finite_element_cell.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {
@@ -266,36 +265,18 @@ TEST(LinerBulges, OfEffectiveRodsAreLeftToTheRings) {
   EXPECT_GT(bulges[0].height_mm, 0);
 }
 
-struct Cell {
-  double pressure_kpa = 0;
-  double bulge_mm = 0;  ///< growth of the free patch's radius beyond the ring's
-};
-
-std::vector<Cell> finite_element_cell() {
-  std::ifstream file(LATTICAST_SOURCE_DIR "/tests/golden/fe_alpha36.csv");
-  std::vector<Cell> rows;
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    std::istringstream fields(line);
-    std::array<double, 6> entry{};
-    char comma = 0;
-    for (double& number : entry) fields >> number >> comma;
-    rows.push_back({entry[0], entry[5] - entry[4]});  // void and ring
-  }
-  return rows;
-}
-
 // What docs/bulging.md states: predicted states and their bulges, nothing of the cell entering.
 TEST(LinerBulges, AreNearThoseOfAFiniteElementCell) {
-  std::vector<Cell> cell = finite_element_cell();
+  const std::vector<CellState> cell = finite_element_cell();
   ASSERT_EQ(cell.size(), 6U);
   Segment segment = paper_segment({36});
   segment.length_mm = 80;
   segment.lattice->rings = Rings{std::nullopt, 10.0, 2};
   double least = HUGE_VAL;
   double most = -HUGE_VAL;
-  for (const auto& [pressure_kpa, bulge_mm] : cell) {
+  for (const CellState& at : cell) {
+    const double pressure_kpa = at.pressure_kpa;
+    const double bulge_mm = at.void_growth_mm - at.ring_growth_mm;
     double sum = 0;
     for (const Bulge& bulge : bulges_at(segment, pressure_kpa)) sum += bulge.height_mm;
     const double percent = 100 * (sum / bulge_mm - 1);

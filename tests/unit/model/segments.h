@@ -6,11 +6,11 @@
 #include <initializer_list>
 #include <numbers>
 #include <optional>
-#include <random>
 #include <vector>
 
 #include "model/section.h"
 #include "spec/design.h"
+#include "tests/random_numbers.h"
 
 namespace latticast::testing {
 
@@ -70,25 +70,5 @@ inline ModelChoice with_joint(JointModel joint) {
   model.joint = joint;
   return model;
 }
-
-/// Uniform and log-uniform numbers from one seeded stream, the same on every platform.
-class Random {
- public:
-  explicit Random(unsigned seed) : engine_(seed) {}
-
-  double between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
-  }
-  double log_between(double low, double high) {
-    return std::exp(between(std::log(low), std::log(high)));
-  }
-  int integer(int low, int high) {  // both included
-    return low + static_cast<int>(between(0, 1) * (high - low + 1));
-  }
-  bool chance(double probability) { return between(0, 1) < probability; }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 }  // namespace latticast::testing

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers for random designs.
+// Numbers for random designs, of tests and of studies.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <random>
 
-namespace latticast {
+namespace latticast::testing {
 
-/// Uniform and log-uniform numbers of case `index` of a seed, the same on every platform.
-class Dice {
+/// Uniform and log-uniform numbers from one seeded stream, the same on every platform.
+class Random {
  public:
-  Dice(unsigned seed, int index) : engine_((std::uint64_t{seed} << 32) + index) {}
+  explicit Random(unsigned seed) : engine_(seed) {}
+
+  /// Of case `index` of a seed: any case can be repeated by itself.
+  Random(unsigned seed, int index) : engine_((std::uint64_t{seed} << 32) + index) {}
 
   double between(double low, double high) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
@@ -28,4 +31,4 @@ class Dice {
   std::mt19937_64 engine_;
 };
 
-}  // namespace latticast
+}  // namespace latticast::testing
