@@ -171,6 +171,24 @@ TEST(LoadChecks, SeeAnArcTouchTheNextButOne) {
   EXPECT_GT(length / half, width);  // each arc by itself is open
 }
 
+// Arcs to one side meet their neighbours in joints; beyond a half circle they cross there.
+TEST(LoadChecks, SeeOneSidedArcsCrossBeyondAHalfCircle) {
+  const double half = 87 * degree;
+  const double radius = 85 / (16 * 2 * std::sin(half));
+  const Segment segment = columns(std::vector<double>(4, 0.5), 90, {radius, 174, false});
+  const CheckFindings findings = check(segment, {-60});
+  const CheckFinding* finding = find(findings, "strands-touch-inflated");
+  ASSERT_NE(finding, nullptr);
+  const double at = *finding->pressure_kpa;
+  EXPECT_LT(at, 0);
+  EXPECT_EQ(find(check(segment, {0.98 * at}), "strands-touch-inflated"), nullptr);
+  // A half circle's chord is its length times 2 / pi.
+  const State state = *predict(segment, {}, std::array{at}).states[0];
+  const double chord =
+      2 * radius * std::sin(half) * wall_stretch(segment, state, 17, 0).along(90 * degree);
+  EXPECT_NEAR(chord / (2 * radius * half), 2 / pi, 2e-3);
+}
+
 TEST(LoadChecks, KnowBothSidesOfABend) {
   const Segment segment = columns(halves(16, 4, 2));
   const State state = *predict(segment, {}, std::array{40.0}).states[0];

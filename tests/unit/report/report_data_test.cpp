@@ -80,6 +80,17 @@ TEST(ReportCurves, RunUpToTheLimitPoint) {
   EXPECT_EQ(read["prediction"]["chain"]["cases"][4]["exists"], false);
 }
 
+TEST(ReportCurves, CoverSuctionAndPressure) {
+  Design design = example("twisting/twisting.toml");
+  design.load = {{{-5}}, {{20}}};
+  const ReportData data = report_of(design);
+  const json read = json::parse(report_json(data, false))["prediction"]["segments"][0];
+  EXPECT_EQ(read["curve"].front()["pressure_kPa"], -5);
+  EXPECT_EQ(read["curve"].back()["pressure_kPa"], 20);
+  EXPECT_EQ(read["stable_from_kPa"], -5);
+  EXPECT_EQ(read["stable_to_kPa"], 20);
+}
+
 TEST(ReportJson, HoldsTheDesignAndItsResponse) {
   const Design design = example("climbing_robot/climbing_robot.toml");
   const ReportData data = report_of(design);
