@@ -33,11 +33,6 @@ void append(std::vector<T>& list, std::initializer_list<T> more) {
   list.insert(list.end(), more);
 }
 
-// The angle between the tip's axis and the base's, exact also where they are nearly parallel.
-double tilt_deg(const Rotation& tip) {
-  return std::atan2(std::hypot(tip[0][2], tip[1][2]), tip[2][2]) * degrees;
-}
-
 bool all_stable(const std::vector<State>& states) {
   return std::all_of(states.begin(), states.end(), [](const State& s) { return s.stable; });
 }
@@ -58,8 +53,8 @@ NumberRows tip_rows(const ChainResponse& chain, std::span<const Segment> segment
     append(row, {place[0], place[1], place[2]});
     append(row, {rotation[0][2], rotation[1][2], rotation[2][2]});
     append(row, {rotation[0][0], rotation[1][0], rotation[2][0]});
-    append(row, {tilt_deg(rotation), shape.end_rotation_rad() * degrees, shape.length_mm(),
-                 all_stable(*states) ? 1.0 : 0.0});
+    append(row, {tilt_rad(rotation) * degrees, shape.end_rotation_rad() * degrees,
+                 shape.length_mm(), all_stable(*states) ? 1.0 : 0.0});
     result.rows.push_back(std::move(row));
   }
   return result;

@@ -71,6 +71,10 @@ Rotation about_axis(double angle) {
 
 }  // namespace
 
+double tilt_rad(const Rotation& rotation) {
+  return std::atan2(std::hypot(rotation[0][2], rotation[1][2]), rotation[2][2]);
+}
+
 Frame composed(const Frame& outer, const Frame& inner) {
   Frame result{turned(outer.rotation, inner.origin), product(outer.rotation, inner.rotation)};
   for (int i = 0; i < 3; ++i) result.origin[i] += outer.origin[i];

@@ -24,6 +24,10 @@ struct Frame {
   Rotation rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 };
 
+/// The angle in rad between a section's axis and the base's, 0 to pi; exact also where they are
+/// nearly parallel.
+double tilt_rad(const Rotation& rotation);
+
 /// Where `inner`, given in the axes of `outer`, lies: (28), (29).
 Frame composed(const Frame& outer, const Frame& inner);
 

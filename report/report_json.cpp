@@ -289,7 +289,7 @@ Json case_json(const ChainResponse& chain, const Design& design, std::size_t i, 
   json["tip_mm"] = point_json(tip.origin);
   json["tip_axis"] = point_json({turn[0][2], turn[1][2], turn[2][2]});
   json["twist_deg"] = shape.end_rotation_rad() * degrees;
-  json["tilt_deg"] = std::atan2(std::hypot(turn[0][2], turn[1][2]), turn[2][2]) * degrees;
+  json["tilt_deg"] = tilt_rad(turn) * degrees;
   json["length_mm"] = shape.length_mm();
   json["stable"] = stable;
   json["centre_line_mm"] = Json::array();
