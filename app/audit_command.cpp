@@ -4,10 +4,10 @@
 #include <fmt/core.h>
 
 #include "app/audit_output.h"
-#include "export/mesh_file.h"
+#include "design/file_error.h"
+#include "export/mesh/mesh_file.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/audit.h"
-#include "spec/file_error.h"
 
 namespace latticast {
 

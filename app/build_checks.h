@@ -5,7 +5,7 @@
 #include "app/console.h"
 #include "app/plan.h"
 #include "checks/check_finding.h"
-#include "spec/design.h"
+#include "design/design.h"
 
 namespace latticast {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/check_output.h"
+#include "design/unsupported_design.h"
 #include "report/report_page.h"
-#include "spec/unsupported_design.h"
 
 namespace latticast {
 

@@ -13,8 +13,8 @@
 #include "checks/check_design.h"
 #if LATTICAST_HAS_GEOMETRY
 #include "checks/mesh_checks.h"
-#include "export/mesh_file.h"
-#include "spec/file_error.h"
+#include "design/file_error.h"
+#include "export/mesh/mesh_file.h"
 #endif
 
 namespace latticast {

@@ -5,8 +5,8 @@
 
 #include <fmt/core.h>
 
-#include "spec/issue.h"
-#include "spec/read_design.h"
+#include "design/issue.h"
+#include "design/read_design.h"
 
 namespace latticast {
 namespace {

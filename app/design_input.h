@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "app/console.h"
-#include "spec/design.h"
-#include "spec/material_library.h"
+#include "design/design.h"
+#include "design/material_library.h"
 
 namespace latticast {
 

@@ -4,9 +4,9 @@
 
 #include <string>
 
-#include "export/flat_drawing.h"
+#include "design/design.h"
+#include "export/flat/flat_drawing.h"
 #include "geometry/solid/flat_sheet.h"
-#include "spec/design.h"
 
 namespace latticast {
 

@@ -13,9 +13,9 @@
 #include "app/console.h"
 #include "app/exit_status.h"
 #include "app/materials_command.h"
-#include "spec/file_error.h"
-#include "spec/nearest_name.h"
-#include "spec/unsupported_design.h"
+#include "design/file_error.h"
+#include "design/nearest_name.h"
+#include "design/unsupported_design.h"
 #if LATTICAST_HAS_PREDICT
 #include "app/predict_command.h"
 #endif

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 
 #include "app/design_input.h"
-#include "spec/nearest_name.h"
+#include "design/nearest_name.h"
 
 namespace latticast {
 namespace {

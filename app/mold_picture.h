@@ -2,7 +2,7 @@
 // A mold taken apart, for people who assemble it.
 #pragma once
 
-#include "export/picture.h"
+#include "export/picture/picture.h"
 #include "molds/mold_piece.h"
 
 namespace latticast {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "spec/design.h"
+#include "design/design.h"
 
 namespace latticast {
 

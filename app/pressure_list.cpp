@@ -6,8 +6,8 @@
 
 #include <fmt/core.h>
 
-#include "spec/limits.h"
-#include "spec/pressure_sweep.h"
+#include "design/limits.h"
+#include "design/pressure_sweep.h"
 
 namespace latticast {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-#include "spec/file_error.h"
+#include "design/file_error.h"
 
 namespace latticast {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/number_rows.h"
-#include "spec/design.h"
+#include "design/design.h"
 
 namespace latticast {
 

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "model/arc_integrals.h"
+#include "model/horseshoe/arc_integrals.h"
 
 namespace latticast {
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "bench/long_gauss.h"
-#include "tests/unit/model/horseshoe_shooting.h"
+#include "tests/unit/model/horseshoe/horseshoe_shooting.h"
 
 namespace latticast {
 namespace {

@@ -2,7 +2,7 @@
 // The pulled arc in extended precision, twice and independently (MODEL.md section 4).
 #pragma once
 
-#include "model/arc_equilibrium.h"
+#include "model/horseshoe/arc_equilibrium.h"
 
 namespace latticast {
 

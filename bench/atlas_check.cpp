@@ -7,7 +7,7 @@
 #include <variant>
 
 #include "bench/plain_path.h"
-#include "model/horseshoe_strands.h"
+#include "model/horseshoe/horseshoe_strands.h"
 
 namespace latticast {
 namespace {
@@ -196,7 +196,8 @@ Judgement judge(const PlainPath& path, const Section& section, const Response& r
   return judge_loss(path, section, pressure_kpa, response.message);
 }
 
-/// Both balances of model/rods.h, each against its liner's share, put to the columns one by one.
+/// Both balances of model/effective_rods/rods.h, each against its liner's share, put to the columns
+/// one by one.
 Judgement judge_rods_state(const Rods& rods, Held held, const State& state) {
   if (!is_finite(state)) return wrong("not a number");
   const double e0 = state.stretch - 1;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/response.h"
+#include "model/segment_response.h"
 
 namespace latticast {
 

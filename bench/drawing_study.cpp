@@ -15,11 +15,11 @@
 #include <fmt/core.h>
 
 #include "bench/study.h"
+#include "design/read_design.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/audit.h"
 #include "geometry/solid/tube_solids.h"
-#include "spec/read_design.h"
 #include "tests/random_numbers.h"
 
 namespace {

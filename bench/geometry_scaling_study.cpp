@@ -13,7 +13,7 @@
 #include <unistd.h>
 
 #include "bench/study.h"
-#include "export/mesh_file.h"
+#include "export/mesh/mesh_file.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/audit.h"
 #include "geometry/solid/fillet.h"

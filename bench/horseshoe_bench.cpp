@@ -7,7 +7,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "model/horseshoe_law.h"
+#include "model/horseshoe/horseshoe_law.h"
 
 namespace latticast {
 namespace {

@@ -18,7 +18,7 @@
 #include "bench/arc_method.h"
 #include "bench/arc_reference.h"
 #include "bench/study.h"
-#include "model/horseshoe_law.h"
+#include "model/horseshoe/horseshoe_law.h"
 
 namespace {
 

@@ -15,7 +15,7 @@
 #include <fmt/format.h>
 
 #include "bench/study.h"
-#include "model/response.h"
+#include "model/segment_response.h"
 #include "tests/golden/finite_element_cell.h"
 #include "tests/unit/model/segments.h"
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <optional>
 
-#include "model/response.h"
-#include "model/section.h"
+#include "model/section/section.h"
+#include "model/segment_response.h"
 
 namespace latticast {
 

@@ -8,8 +8,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "model/response.h"
-#include "model/section.h"
+#include "model/section/section.h"
+#include "model/segment_response.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 // sections 1, 3 and 5).
 #pragma once
 
-#include "model/balance.h"
+#include "model/equilibrium/balance.h"
 
 namespace latticast {
 

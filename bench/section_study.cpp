@@ -14,8 +14,8 @@
 
 #include "bench/section_reference.h"
 #include "bench/study.h"
-#include "model/newton.h"
-#include "model/response.h"
+#include "model/numerics/newton.h"
+#include "model/segment_response.h"
 #include "tests/unit/model/segments.h"
 
 namespace {

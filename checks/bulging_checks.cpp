@@ -11,7 +11,7 @@
 
 #include "geometry/pattern/rings.h"
 #include "model/bulging.h"
-#include "model/horseshoe_strands.h"
+#include "model/horseshoe/horseshoe_strands.h"
 
 namespace latticast {
 namespace {

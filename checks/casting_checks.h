@@ -3,8 +3,8 @@
 #pragma once
 
 #include "checks/check_finding.h"
+#include "design/design.h"
 #include "molds/lattice_mold.h"
-#include "spec/design.h"
 
 namespace latticast {
 

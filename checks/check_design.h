@@ -3,7 +3,7 @@
 #pragma once
 
 #include "checks/check_finding.h"
-#include "spec/design.h"
+#include "design/design.h"
 
 namespace latticast {
 

@@ -10,7 +10,7 @@
 #include "checks/strand_stations.h"
 #include "geometry/pattern/horseshoe_path.h"
 #include "geometry/pattern/rings.h"
-#include "model/inflated_wall.h"
+#include "model/shape/inflated_wall.h"
 
 namespace latticast {
 namespace {

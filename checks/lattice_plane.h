@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "design/design.h"
 #include "geometry/pattern/pattern.h"
-#include "spec/design.h"
 
 namespace latticast {
 

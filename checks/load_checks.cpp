@@ -9,8 +9,8 @@
 #include "checks/stability_checks.h"
 #include "checks/strain_checks.h"
 #include "checks/validity_checks.h"
-#include "model/arc_law.h"
-#include "spec/unsupported_design.h"
+#include "design/unsupported_design.h"
+#include "model/horseshoe/arc_law.h"
 
 namespace latticast {
 namespace {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "checks/check_finding.h"
-#include "spec/design.h"
+#include "design/design.h"
 
 namespace latticast {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "checks/check_finding.h"
-#include "model/response.h"
-#include "spec/design.h"
+#include "design/design.h"
+#include "model/segment_response.h"
 
 namespace latticast {
 

@@ -6,7 +6,7 @@
 #include "checks/check_finding.h"
 #include "checks/lattice_plane.h"
 #include "checks/lattice_use.h"
-#include "spec/design.h"
+#include "design/design.h"
 
 namespace latticast {
 

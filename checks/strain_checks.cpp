@@ -11,9 +11,9 @@
 #include <fmt/core.h>
 
 #include "checks/strand_stations.h"
-#include "model/horseshoe_fibre.h"
-#include "model/horseshoe_strands.h"
-#include "model/inflated_wall.h"
+#include "model/horseshoe/horseshoe_fibre.h"
+#include "model/horseshoe/horseshoe_strands.h"
+#include "model/shape/inflated_wall.h"
 
 namespace latticast {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "checks/check_finding.h"
 #include "checks/lattice_use.h"
-#include "spec/design.h"
+#include "design/design.h"
 
 namespace latticast {
 

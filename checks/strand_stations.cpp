@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "model/inflated_wall.h"
+#include "model/shape/inflated_wall.h"
 
 namespace latticast {
 namespace {

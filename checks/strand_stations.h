@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "model/response.h"
-#include "spec/design.h"
+#include "design/design.h"
+#include "model/segment_response.h"
 
 namespace latticast {
 

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "spec/file_error.h"
+#include "design/file_error.h"
 
 namespace latticast {
 namespace {

@@ -10,8 +10,8 @@
 #include <variant>
 
 #include "geometry/pattern/rings.h"
-#include "model/inflated_wall.h"
-#include "model/section.h"
+#include "model/section/section.h"
+#include "model/shape/inflated_wall.h"
 
 namespace latticast {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "model/response.h"
-#include "spec/design.h"
+#include "design/design.h"
+#include "model/segment_response.h"
 
 namespace latticast {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "model/horseshoe_strands.h"
+#include "model/horseshoe/horseshoe_strands.h"
 
 namespace latticast {
 namespace {

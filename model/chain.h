@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "model/response.h"
-#include "model/shape.h"
-#include "spec/design.h"
+#include "design/design.h"
+#include "model/segment_response.h"
+#include "model/shape/shape.h"
 
 namespace latticast {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "model/response.h"
-#include "spec/design.h"
+#include "design/design.h"
+#include "model/segment_response.h"
 
 namespace latticast {
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "model/response.h"
+#include "model/segment_response.h"
 
 namespace latticast {
 

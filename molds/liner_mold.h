@@ -3,8 +3,8 @@
 // plates that hold both.
 #pragma once
 
+#include "design/design.h"
 #include "molds/mold_piece.h"
-#include "spec/design.h"
 
 namespace latticast {
 

@@ -2,9 +2,9 @@
 // What a design asks of its molds, as the molds take it.
 #pragma once
 
+#include "design/design.h"
 #include "molds/lattice_mold.h"
 #include "molds/liner_mold.h"
-#include "spec/design.h"
 
 namespace latticast {
 

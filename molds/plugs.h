@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "design/design.h"
 #include "molds/mold_piece.h"
-#include "spec/design.h"
 
 namespace latticast {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "design/design.h"
 #include "molds/mold_piece.h"
-#include "spec/design.h"
 
 namespace latticast {
 

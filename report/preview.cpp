@@ -11,7 +11,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include "model/strand_strain.h"
+#include "model/shape/strand_strain.h"
 
 namespace latticast {
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "export/colour_ramp.h"
-#include "export/picture.h"
+#include "design/design.h"
+#include "export/picture/colour_ramp.h"
+#include "export/picture/picture.h"
 #include "geometry/solid/tube_solids.h"
 #include "model/chain.h"
-#include "spec/design.h"
 
 namespace latticast {
 

@@ -4,9 +4,9 @@
 
 #include <vector>
 
+#include "design/design.h"
 #include "model/chain.h"
 #include "model/prediction.h"
-#include "spec/design.h"
 
 namespace latticast {
 

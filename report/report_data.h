@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "design/design.h"
 #include "report/report_curves.h"
-#include "spec/design.h"
 
 namespace latticast {
 

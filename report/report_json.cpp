@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "model/shape.h"
+#include "model/shape/shape.h"
 #include "report/report_data.h"
 
 namespace latticast {

@@ -9,7 +9,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "export/glb_file.h"
+#include "export/mesh/glb_file.h"
 #include "report/preview.h"
 
 namespace latticast {

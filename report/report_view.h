@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "checks/check_finding.h"
+#include "design/design.h"
 #include "export/colour.h"
 #include "geometry/mesh/triangle_mesh.h"
 #include "report/report_curves.h"
-#include "spec/design.h"
 
 namespace latticast {
 

@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "design/design.h"
 #include "geometry/pattern/pattern.h"
-#include "spec/design.h"
 
 namespace latticast {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "spec/design.h"
+#include "design/design.h"
 
 namespace latticast {
 

@@ -2,9 +2,9 @@
 // The solids of one segment: its lattice and its liner.
 #pragma once
 
+#include "design/design.h"
 #include "geometry/mesh/triangle_mesh.h"
 #include "geometry/solid/solid_error.h"
-#include "spec/design.h"
 
 namespace latticast {
 

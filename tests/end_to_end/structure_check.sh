@@ -3,7 +3,7 @@
 # structure_check.sh ROOT: the rules of the tree that no compiler checks. Prints each violation as
 # "FILE:LINE: what is wrong" and exits 1 when there is one.
 #
-#   - A folder includes only what lies below it (table `below`).
+#   - A folder, and a room within it, includes only what lies below it (table `below`).
 #   - A third-party header is included only in the folder that owns the library (table `owners`), and
 #     no file of another folder reaches it through that folder's headers.
 #   - No two headers define a type of one name.
@@ -14,27 +14,38 @@ shopt -s inherit_errexit
 export LC_ALL=C
 cd "${1:?usage: structure_check.sh ROOT}"
 
-# A folder, then everything that it may include besides itself. app, bench and tests may include all.
+# A room, then everything that it may include besides itself; a folder's name stands for all of its
+# rooms. app, bench and tests may include all.
 below='
-spec
+design/material
+design                   design/material
 geometry/mesh
-geometry/pattern  spec geometry/mesh
-geometry/solid    spec geometry/mesh geometry/pattern
-model             spec geometry/mesh geometry/pattern
-molds             spec geometry/mesh geometry/pattern geometry/solid
-export            spec geometry/mesh
-checks            spec geometry/mesh geometry/pattern geometry/solid model molds
-report            spec geometry/mesh geometry/pattern geometry/solid model molds export checks
-app               *
-bench             *
-tests             *
+geometry/pattern         design geometry/mesh
+geometry/solid           design geometry/mesh geometry/pattern
+model/numerics
+model/horseshoe          design geometry/pattern model/numerics
+model/section            design geometry/pattern model/numerics model/horseshoe
+model/equilibrium        design model/numerics model/horseshoe model/section
+model/effective_rods     design model/numerics model/horseshoe model/equilibrium
+model/shape              design geometry model/numerics model/horseshoe model/section model/equilibrium
+model                    design geometry/mesh geometry/pattern model
+molds                    design geometry
+export                   design geometry/mesh
+export/mesh              design geometry/mesh export/.
+export/picture           design geometry/mesh export/.
+export/flat              design export/.
+checks                   design geometry model molds
+report                   design geometry model molds export checks
+app                      *
+bench                    *
+tests                    *
 '
 
 # A header as it is included, as a regular expression, then the folders that may include it.
 # bench and tests may include any.
 owners='
-^toml\+\+/           spec
-^fmt/                spec geometry/mesh geometry/pattern geometry/solid model molds export checks report app
+^toml\+\+/           design
+^fmt/                design geometry/mesh geometry/pattern geometry/solid model molds export checks report app
 ^Eigen/              geometry/mesh geometry/pattern geometry/solid model
 ^(CGAL|boost)/       geometry/solid molds
 ^polyclipping/       geometry/solid
@@ -58,12 +69,27 @@ include_violations() {
   { grep -E '\.(h|cpp)$' || true; } |
     { xargs -d '\n' -r grep -HnE '^[[:space:]]*#[[:space:]]*include' || true; } |
     awk -v below="$below" -v owners="$owners" '
+    # The target that a file belongs to, and the room within it: the deepest one in the table.
     function folder_of(path, parts) {
       split(path, parts, "/")
       return parts[1] == "geometry" ? parts[1] "/" parts[2] : parts[1]
     }
-    function may_reach(from, to) {
-      return from == to || index(allowed[from], " " to " ") || index(allowed[from], " * ")
+    function room_of(path, parts, depth, room, deepest, i) {
+      depth = split(path, parts, "/")
+      for (i = 1; i < depth; ++i) {
+        room = room (i > 1 ? "/" : "") parts[i]
+        if (room in allowed) deepest = room
+      }
+      return deepest == "" ? folder_of(path) : deepest
+    }
+    # "export/." is the folder alone, without its rooms.
+    function may_reach(from, to, words, i, n) {
+      if (from == to) return 1
+      n = split(allowed[from], words, " ")
+      for (i = 1; i <= n; ++i)
+        if (words[i] == "*" || words[i] == to || words[i] == to "/." || index(to, words[i] "/") == 1)
+          return 1
+      return 0
     }
     BEGIN {
       n = split(below, lines, "\n")
@@ -86,17 +112,18 @@ include_violations() {
       file = place[1]
       at = file ":" place[2] ": "
       from = folder_of(file)
-      if (!(from in allowed)) {
-        print at "the folder " from " has no place in the order of folders"
+      room = room_of(file)
+      if (!(room in allowed)) {
+        print at "the folder " room " has no place in the order of folders"
         next
       }
       if (match($0, /"[^"]*"/)) {
         target = substr($0, RSTART + 1, RLENGTH - 2)
-        to = folder_of(target)
+        to = room_of(target)
         if (target !~ "/" || target ~ /(^|\/)\.\.?\//)
           print at "\"" target "\" is not relative to the root of the tree"
-        else if (!may_reach(from, to))
-          print at from " must not include " to " (\"" target "\")"
+        else if (!may_reach(room, to))
+          print at room " must not include " to " (\"" target "\")"
         ++count
         includer[count] = file; included[count] = target; where[count] = at
       } else if (match($0, /<[^>]*>/)) {
@@ -154,7 +181,7 @@ machine_path_violations() {
 # All headers share one namespace: two types of one name would share their constructors, too, and the
 # linker keeps only one of each.
 repeated_type_violations() {
-  { grep -E '^(spec|geometry|model|molds|export|checks|report|app|bench)/.*\.h$' || true; } |
+  { grep -E '^(design|geometry|model|molds|export|checks|report|app|bench)/.*\.h$' || true; } |
     { xargs -d '\n' -r grep -HnE '^(struct|class|enum class|union) +[A-Za-z0-9_]+( |:|[{]|$)' || true; } |
     awk -F: '
       {

@@ -22,15 +22,15 @@ licence='// SPDX-License-Identifier: GPL-3.0-or-later'
 lay_good_tree() {
   rm -rf "${tree:?}"/*
   put dev '#!/usr/bin/env bash' '# SPDX-License-Identifier: GPL-3.0-or-later' "rm -rf out$work/old"
-  put spec/design.h "$licence" '#include <vector>'
-  put spec/private_reader.h "$licence" "struct Section;" '#include <toml++/toml.h>'
-  put spec/reader.cpp "$licence" '#include "spec/private_reader.h"' '#include "spec/design.h"'
+  put design/design.h "$licence" '#include <vector>'
+  put design/private_reader.h "$licence" "struct Section;" '#include <toml++/toml.h>'
+  put design/reader.cpp "$licence" '#include "design/private_reader.h"' '#include "design/design.h"'
   put geometry/mesh/triangle_mesh.h "$licence"
   put geometry/solid/audit.h "$licence" '#include "geometry/mesh/triangle_mesh.h"'
-  put geometry/solid/audit.cpp "$licence" '#include <CGAL/box_intersection_d.h>' '#include "spec/design.h"'
-  put model/section.h "$licence" '#include "spec/design.h"' 'struct Section {' '};'
-  put app/build.cpp "$licence" '#include <CLI/CLI.hpp>' '#include "geometry/solid/audit.h"' '#include "model/section.h"'
-  put tests/unit/audit_test.cpp "$licence" '#include <gtest/gtest.h>' '#include "spec/private_reader.h"'
+  put geometry/solid/audit.cpp "$licence" '#include <CGAL/box_intersection_d.h>' '#include "design/design.h"'
+  put model/section/section.h "$licence" '#include "design/design.h"' 'struct Section {' '};'
+  put app/build.cpp "$licence" '#include <CLI/CLI.hpp>' '#include "geometry/solid/audit.h"' '#include "model/section/section.h"'
+  put tests/unit/audit_test.cpp "$licence" '#include <gtest/gtest.h>' '#include "design/private_reader.h"'
   put examples/one.toml '# A design' "name = \"https://example.org$work/one\""
   put build/generated.cpp '#include "../x.h"'
 }
@@ -60,38 +60,38 @@ bash "$check" "$tree" || {
   failures=$((failures + 1))
 }
 
-violation spec/design.h '#include "model/section.h"' '^spec/design.h:3: spec must not include model'
-violation spec/design.h '#include "geometry/mesh/triangle_mesh.h"' 'spec must not include geometry/mesh'
-violation geometry/mesh/triangle_mesh.h '  #  include "spec/design.h"' 'geometry/mesh must not include spec'
+violation design/design.h '#include "model/section/section.h"' '^design/design.h:3: design must not include model'
+violation design/design.h '#include "geometry/mesh/triangle_mesh.h"' 'design must not include geometry/mesh'
+violation geometry/mesh/triangle_mesh.h '  #  include "design/design.h"' 'geometry/mesh must not include design'
 violation geometry/pattern/rings.cpp '#include "geometry/solid/audit.h"' 'pattern must not include geometry/solid'
-violation geometry/solid/audit.cpp '#include "model/section.h"' 'geometry/solid must not include model'
-violation model/section.h '#include "geometry/solid/audit.h"' 'model must not include geometry/solid'
-violation export/files.cpp '#include "model/section.h"' 'export must not include model'
+violation geometry/solid/audit.cpp '#include "model/section/section.h"' 'geometry/solid must not include model'
+violation model/section/section.h '#include "geometry/solid/audit.h"' 'model/section must not include geometry/solid'
+violation export/files.cpp '#include "model/section/section.h"' 'export must not include model'
 violation export/files.cpp '#include "geometry/solid/audit.h"' 'export must not include geometry/solid'
-violation molds/parting.cpp '#include "model/section.h"' 'molds must not include model'
-violation model/section.h '#include "app/build.h"' 'model must not include app'
-violation model/section.h '#include "../spec/design.h"' 'not relative to the root'
-violation model/section.h '#include "design.h"' 'not relative to the root'
-violation attic/old.cpp '#include "spec/design.h"' 'attic has no place'
-violation model/section.cpp '#include <toml++/toml.h>' '<toml\+\+/toml.h> is not for model'
-violation model/section.cpp '#include <CGAL/number_utils.h>' 'is not for model'
+violation molds/parting.cpp '#include "model/section/section.h"' 'molds must not include model'
+violation model/section/section.h '#include "app/build.h"' 'model/section must not include app'
+violation model/section/section.h '#include "../design/design.h"' 'not relative to the root'
+violation model/section/section.h '#include "design.h"' 'not relative to the root'
+violation attic/old.cpp '#include "design/design.h"' 'attic has no place'
+violation model/section/section.cpp '#include <toml++/toml.h>' '<toml\+\+/toml.h> is not for model'
+violation model/section/section.cpp '#include <CGAL/number_utils.h>' 'is not for model'
 violation geometry/pattern/rings.cpp '#include <boost/config.hpp>' 'is not for geometry/pattern'
 violation geometry/solid/audit.cpp '#include <kinsol/kinsol.h>' 'is not for geometry/solid'
 violation app/build.cpp '#include <assimp/scene.h>' 'is not for app'
 violation app/build.cpp '#include <png.h>' 'is not for app'
-violation spec/reader.cpp '#include <nlohmann/json.hpp>' 'is not for spec'
-violation model/section.cpp '#include <unheard/of.h>' 'belongs to no folder'
-violation app/build.cpp '#include "spec/private_reader.h"' 'carries <toml\+\+/toml.h> out of its folder'
-violation spec/design.h 'class Section {};' '^spec/design.h:3: the type Section is defined in model/section.h already|^model/section.h:3: the type Section is defined in spec/design.h already'
+violation design/reader.cpp '#include <nlohmann/json.hpp>' 'is not for design'
+violation model/section/section.cpp '#include <unheard/of.h>' 'belongs to no folder'
+violation app/build.cpp '#include "design/private_reader.h"' 'carries <toml\+\+/toml.h> out of its folder'
+violation design/design.h 'class Section {};' '^design/design.h:3: the type Section is defined in model/section/section.h already|^model/section/section.h:3: the type Section is defined in design/design.h already'
 violation docs/page.md "Look in $home/someone/latticast" '^docs/page.md:2: names a folder'
 violation app/build.cpp "// see $work/notes.txt" '^app/build.cpp:5: names a folder'
 
 lay_good_tree
-put spec/wrapper.h "$licence" '#include "spec/private_reader.h"'
-put model/section.h "$licence" '#include "spec/wrapper.h"'
-refused 'a third-party header two steps away' '^model/section.h:2: .*carries'
+put design/wrapper.h "$licence" '#include "design/private_reader.h"'
+put model/section/section.h "$licence" '#include "design/wrapper.h"'
+refused 'a third-party header two steps away' '^model/section/section.h:2: .*carries'
 
-for file in spec/plain.h molds/plain.cpp model/CMakeLists.txt cmake/plain.cmake spec/plain.toml dev tests/plain.sh; do
+for file in design/plain.h molds/plain.cpp model/CMakeLists.txt cmake/plain.cmake design/plain.toml dev tests/plain.sh; do
   lay_good_tree
   put "$file" 'no licence'
   refused "no licence in $file" "^$file:1: the SPDX licence line is missing"

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "spec/material_library.h"
-#include "spec/read_design.h"
+#include "design/material_library.h"
+#include "design/read_design.h"
 
 namespace {
 

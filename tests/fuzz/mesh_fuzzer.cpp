@@ -9,12 +9,12 @@
 #include <string>
 #include <string_view>
 
-#include "export/mesh_file.h"
-#include "export/obj_file.h"
-#include "export/ply_file.h"
-#include "export/stl_file.h"
+#include "design/file_error.h"
+#include "export/mesh/mesh_file.h"
+#include "export/mesh/obj_file.h"
+#include "export/mesh/ply_file.h"
+#include "export/mesh/stl_file.h"
 #include "geometry/mesh/weld.h"
-#include "spec/file_error.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "spec/design.h"
+#include "design/design.h"
 
 namespace latticast {
 

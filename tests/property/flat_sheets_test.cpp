@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
+#include "design/material_library.h"
+#include "design/read_design.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/flat_sheet.h"
 #include "geometry/solid/tube_solids.h"
-#include "spec/material_library.h"
-#include "spec/read_design.h"
 #include "tests/property/random_design_text.h"
 #include "tests/unit/geometry/solid/flat_sheet_rules.h"
 

@@ -3,14 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "app/mold_set.h"
-#include "export/glb_file.h"
-#include "export/mesh_file.h"
+#include "design/material_library.h"
+#include "design/read_design.h"
+#include "export/mesh/glb_file.h"
+#include "export/mesh/mesh_file.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/tube_solids.h"
 #include "molds/print_size.h"
-#include "spec/material_library.h"
-#include "spec/read_design.h"
-#include "tests/unit/export/compare_meshes.h"
+#include "tests/unit/export/mesh/compare_meshes.h"
 #include "tests/unit/export/test_folder.h"
 
 namespace latticast {

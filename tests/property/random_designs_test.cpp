@@ -10,12 +10,12 @@
 #include <gtest/gtest.h>
 
 #include "app/build_command.h"
-#include "export/mesh_file.h"
+#include "design/read_design.h"
+#include "export/mesh/mesh_file.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/audit.h"
 #include "geometry/solid/tube_solids.h"
 #include "report/preview.h"
-#include "spec/read_design.h"
 #include "tests/property/random_design_text.h"
 #include "tests/unit/export/test_folder.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "checks/check_finding.h"
-#include "spec/design.h"
+#include "design/design.h"
 
 namespace latticast {
 

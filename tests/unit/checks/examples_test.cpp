@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "checks/check_design.h"
-#include "spec/material_library.h"
-#include "spec/read_design.h"
+#include "design/material_library.h"
+#include "design/read_design.h"
 
 namespace latticast {
 namespace {

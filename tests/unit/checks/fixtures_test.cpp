@@ -9,9 +9,9 @@
 
 #include "checks/check_design.h"
 #include "checks/mesh_checks.h"
-#include "export/mesh_file.h"
-#include "spec/material_library.h"
-#include "spec/read_design.h"
+#include "design/material_library.h"
+#include "design/read_design.h"
+#include "export/mesh/mesh_file.h"
 
 namespace latticast {
 namespace {

@@ -13,9 +13,9 @@
 
 #include "checks/loaded_segment.h"
 #include "checks/strand_stations.h"
-#include "model/inflated_wall.h"
-#include "spec/material_library.h"
-#include "spec/read_design.h"
+#include "design/material_library.h"
+#include "design/read_design.h"
+#include "model/shape/inflated_wall.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {

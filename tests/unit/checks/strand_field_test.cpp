@@ -10,10 +10,10 @@
 
 #include "checks/load_checks.h"
 #include "checks/loaded_segment.h"
+#include "design/material_library.h"
+#include "design/read_design.h"
 #include "geometry/solid/tube_solids.h"
-#include "model/strand_strain.h"
-#include "spec/material_library.h"
-#include "spec/read_design.h"
+#include "model/shape/strand_strain.h"
 
 namespace latticast {
 namespace {

@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "spec/file_error.h"
+#include "design/file_error.h"
 #include "tests/unit/export/test_folder.h"
 
 namespace latticast {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "model/response.h"
-#include "model/rods.h"
+#include "model/effective_rods/rods.h"
+#include "model/segment_response.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/response.h"
+#include "model/segment_response.h"
 #include "tests/golden/finite_element_cell.h"
 #include "tests/unit/model/segments.h"
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "model/gauss.h"
-#include "model/response.h"
+#include "model/numerics/gauss.h"
+#include "model/segment_response.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {

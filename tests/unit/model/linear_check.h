@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/section.h"
+#include "model/section/section.h"
 
 namespace latticast::testing {
 

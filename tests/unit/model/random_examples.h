@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "model/response.h"
+#include "model/segment_response.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "model/section.h"
-#include "spec/design.h"
+#include "design/design.h"
+#include "model/section/section.h"
 #include "tests/random_numbers.h"
 
 namespace latticast::testing {

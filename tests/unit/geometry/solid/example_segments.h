@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "spec/design.h"
+#include "design/design.h"
 
 namespace latticast {
 

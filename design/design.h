@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The design as its author wrote it, typed and validated: what is wanted, not how it is made.
+// Grammar: docs/design-file.md. Lengths mm, angles degrees, pressures kPa, moduli MPa.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "design/material/material.h"
+
+namespace latticast {
+
+/// The soft tube: inner_radius <= R <= inner_radius + thickness.
+struct Liner {
+  double inner_radius_mm = 0;
+  double thickness_mm = 0;
+  Material material;
+};
+
+/// Circumferential rings. Exactly one of `count` (>= 2, evenly spaced, first and last flush with
+/// the ends) and `pitch_mm` (centres at pitch/2 + i pitch) is set.
+struct Rings {
+  std::optional<int> count;
+  std::optional<double> pitch_mm;
+  double width_mm = 0;
+};
+
+/// A horseshoe column's arcs (paper Fig. 2(g)): radius of the centre line and full angle of one
+/// arc.
+struct Horseshoe {
+  double radius_mm = 0;
+  double arc_deg = 180;
+  bool alternate = true;  ///< successive arcs curve to opposite sides
+};
+
+/// One family of equal-angle strands, evenly spaced around the tube; strand 0 starts at Theta = 0.
+struct Grid {
+  double angle_deg = 0;           ///< from the circumferential direction, 0 < angle < 180
+  std::vector<double> widths_mm;  ///< one per strand, measured square to the strand at mid radius
+  std::optional<Horseshoe> horseshoe;
+
+  int count() const { return static_cast<int>(widths_mm.size()); }
+};
+
+/// The reinforcing layer bonded outside the liner.
+struct Lattice {
+  double thickness_mm = 0;
+  Material material;
+  std::optional<Rings> rings;
+  std::vector<Grid> grids;
+  double fillet_mm = 0;  ///< radius of every inward corner where strands meet; 0: sharp
+};
+
+/// One length of tube with its own section and, in a load case, its own pressure.
+struct Segment {
+  double length_mm = 0;
+  Liner liner;
+  std::optional<Lattice> lattice;  ///< absent: a bare tube
+
+  double inner_radius_mm() const { return liner.inner_radius_mm; }
+  double liner_outer_radius_mm() const { return liner.inner_radius_mm + liner.thickness_mm; }
+  double outer_radius_mm() const {
+    return liner_outer_radius_mm() + (lattice ? lattice->thickness_mm : 0.0);
+  }
+  /// R_c, where strand widths are measured. Precondition: the segment has a lattice.
+  double lattice_mid_radius_mm() const {
+    return liner_outer_radius_mm() + 0.5 * lattice->thickness_mm;
+  }
+};
+
+/// One pressure per segment.
+struct LoadCase {
+  std::vector<double> pressures_kpa;
+};
+
+enum class WallKind { layered, mixture };
+enum class ColumnModel { distributed, rods };
+enum class JointModel { none, paper, clear_span };
+
+struct ModelChoice {
+  WallKind wall = WallKind::layered;
+  ColumnModel columns = ColumnModel::distributed;
+  JointModel joint = JointModel::clear_span;
+};
+
+/// Cast in a grooved mold, or in a flexible mold made around a printed pattern.
+enum class MoldMethod { direct, replica };
+
+struct LatticeMold {
+  std::optional<int> pieces;  ///< absent: chosen from the undercuts ("auto")
+  double wall_mm = 5;
+  MoldMethod method = MoldMethod::direct;
+};
+
+/// Open at both ends; closed at the upper end; with flanges that take the lattice between them.
+enum class LinerEnds { open, closed, flanged };
+
+struct LinerMold {
+  double wall_mm = 5;
+  LinerEnds ends = LinerEnds::open;
+  bool keyed = false;  ///< cast inside the finished lattice
+  int pieces = 2;      ///< of the shell
+};
+
+struct Preview {
+  std::vector<LoadCase> cases;
+};
+
+/// What to make; nothing that is not named.
+struct Make {
+  bool lattice = false;
+  bool liner = false;
+  bool flat_pattern = false;  ///< the lattice unrolled, as drawings at true scale
+  std::optional<LatticeMold> lattice_mold;
+  std::optional<LinerMold> liner_mold;
+  std::optional<Preview> preview;
+  bool report = false;
+};
+
+enum class MeshFormat { stl, obj, three_mf, ply, glb };
+
+struct Export {
+  std::vector<MeshFormat> formats = {MeshFormat::stl};
+  double tolerance_mm = 0.01;  ///< chord error of written meshes
+};
+
+enum class Process { fdm, sla };
+
+struct Printer {
+  Process process = Process::fdm;
+  std::optional<double> min_wall_mm;
+  std::optional<double> min_gap_mm;
+  std::optional<double> clearance_mm;
+  std::optional<std::array<double, 3>> bed_mm;
+};
+
+/// Between pieces that are put together, on the diameter: as given, or what is usual for the
+/// process.
+inline double fit_clearance_mm(const Printer& printer) {
+  return printer.clearance_mm.value_or(printer.process == Process::sla ? 0.15 : 0.3);
+}
+
+struct Design {
+  std::string name;
+  std::vector<Segment> segments;
+  std::vector<LoadCase> load;
+  ModelChoice model;
+  Make make;
+  Export output;
+  Printer printer;
+};
+
+}  // namespace latticast

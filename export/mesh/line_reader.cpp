@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/mesh/line_reader.h"
+
+#include <charconv>
+#include <system_error>
+
+namespace latticast {
+namespace {
+
+// Where lines are joined, the backslash and the line's end are blanks inside the line.
+constexpr std::string_view blanks = " \t\r\v\f\\\n";
+
+bool goes_on(std::string_view line) {
+  return line.ends_with('\\') || line.ends_with("\\\r");
+}
+
+}  // namespace
+
+std::optional<float> float32_of(std::string_view word) {
+  if (word.starts_with('+')) {
+    word.remove_prefix(1);
+  }
+  const char* const end = word.data() + word.size();
+  float value = 0;
+  auto parsed = std::from_chars(word.data(), end, value);
+  if (parsed.ec == std::errc::result_out_of_range) {
+    double wide = 0;
+    parsed = std::from_chars(word.data(), end, wide);
+    value = static_cast<float>(wide);
+  }
+  if (parsed.ec != std::errc() || parsed.ptr != end) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+bool LineReader::next_line() {
+  if (rest_.empty()) {
+    return false;
+  }
+  std::size_t end = rest_.find('\n');
+  for (++line_number_; end != std::string_view::npos && goes_on(rest_.substr(0, end));
+       ++line_number_) {
+    end = rest_.find('\n', end + 1);
+  }
+  line_ = rest_.substr(0, end);
+  rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+  return true;
+}
+
+std::string_view LineReader::next_word() {
+  const std::size_t start = line_.find_first_not_of(blanks);
+  if (start == std::string_view::npos) {
+    return {};
+  }
+  line_.remove_prefix(start);
+  const std::string_view word = line_.substr(0, line_.find_first_of(blanks));
+  line_.remove_prefix(word.size());
+  return word;
+}
+
+}  // namespace latticast

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/mesh/obj_file.h"
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "design/file_error.h"
+#include "export/mesh/line_reader.h"
+
+namespace latticast {
+namespace {
+
+void append_number(std::string& text, float value) {
+  std::array<char, 64> digits;  // the longest float32 without exponent takes 57 characters
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed);
+  text.append(digits.data(), end.ptr);
+}
+
+void append_number(std::string& text, std::uint64_t value) {
+  std::array<char, 24> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  text.append(digits.data(), end.ptr);
+}
+
+class ObjReader {
+ public:
+  ObjReader(const std::filesystem::path& file, std::string_view text) : file_(file), lines_(text) {}
+
+  TriangleMesh read() {
+    while (lines_.next_line()) {
+      const std::string_view keyword = lines_.next_word();
+      if (keyword == "v") {
+        read_vertex();
+      }
+      if (keyword == "f") {
+        read_face();
+      }
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& reason) const {
+    throw FileError(file_, "line " + std::to_string(lines_.line_number()) + ": " + reason);
+  }
+
+  void read_vertex() {
+    Point vertex;
+    for (double& coordinate : vertex) {
+      const std::optional<float> number = float32_of(lines_.next_word());
+      if (!number) {
+        fail("a vertex needs three numbers");
+      }
+      coordinate = *number;
+    }
+    mesh_.vertices.push_back(vertex);
+  }
+
+  /// "7", "7/1", "7//3" or "7/1/3", where -1 means the latest vertex.
+  std::uint32_t vertex_index(std::string_view word) const {
+    std::int64_t number = 0;
+    const char* const end = word.data() + word.size();
+    const auto parsed = std::from_chars(word.data(), end, number);
+    if (parsed.ec != std::errc() || (parsed.ptr != end && *parsed.ptr != '/')) {
+      // Appended: g++ 12 warns about a sum that begins with a literal.
+      fail(std::string("\"").append(word).append("\" is not a vertex number"));
+    }
+    const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
+    const std::int64_t index = number < 0 ? count + number : number - 1;
+    if (index < 0 || index >= count) {
+      fail("there is no vertex " + std::to_string(number) + " before it");
+    }
+    return static_cast<std::uint32_t>(index);
+  }
+
+  void read_face() {
+    std::array<std::uint32_t, 3> fan{};
+    int corners = 0;
+    for (std::string_view word = lines_.next_word(); !word.empty(); word = lines_.next_word()) {
+      if (word.starts_with('#')) {
+        break;
+      }
+      const std::uint32_t corner = vertex_index(word);
+      fan = corners == 0 ? std::array{corner, corner, corner} : std::array{fan[0], fan[2], corner};
+      if (++corners >= 3) {
+        mesh_.triangles.push_back(fan);
+      }
+    }
+    if (corners < 3) {
+      fail("a face needs three vertices");
+    }
+  }
+
+  const std::filesystem::path& file_;
+  LineReader lines_;
+  TriangleMesh mesh_;
+};
+
+}  // namespace
+
+std::string encode_obj(const TriangleMesh& mesh) {
+  std::string text = "# unit mm\n";
+  text.reserve(32 * mesh.vertices.size() + 24 * mesh.triangles.size());
+  for (const Point& vertex : mesh.vertices) {
+    text += 'v';
+    for (const double coordinate : vertex) {
+      text += ' ';
+      append_number(text, static_cast<float>(coordinate));
+    }
+    text += '\n';
+  }
+  for (const Triangle& triangle : mesh.triangles) {
+    text += 'f';
+    for (const std::uint32_t corner : triangle) {
+      text += ' ';
+      append_number(text, std::uint64_t{corner} + 1);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+TriangleMesh decode_obj(const std::filesystem::path& file, std::string_view text) {
+  return ObjReader(file, text).read();
+}
+
+}  // namespace latticast

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/effective_rods/rods_response.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include "model/equilibrium/turning_name.h"
+
+namespace latticast {
+namespace {
+
+constexpr double kpa_per_mpa = 1000;
+constexpr int scan_steps = 64;
+constexpr int most_halvings = 60;
+
+std::optional<RodsState> at_pressure(const Rods& rods, double pressure_kpa, Held held,
+                                     RodsRefusal* why = nullptr) {
+  return rods_equilibrium(rods, {pressure_kpa / kpa_per_mpa, 0, 0, held.stretch, held.bend}, why);
+}
+
+std::string refusal_text(double pressure_kpa, RodsRefusal why) {
+  return "at " + pressure_text(pressure_kpa) +
+         (why == RodsRefusal::law_range
+              ? " a horseshoe column would leave its law's range of strain"
+              : " a side of the wall would be compressed to no length at all");
+}
+
+State state_of(const Rods& rods, const RodsState& found, double pressure_kpa) {
+  State state;
+  state.pressure_kpa = pressure_kpa;
+  state.stretch = 1 + found.elongation;
+  state.bend_rad_per_mm = {0, found.bend_rad_per_mm};
+  state.inner_radius_mm = rods.inner_radius_mm;
+  state.outer_radius_mm =
+      current_radius_mm(rods.inner_radius_mm, rods.outer_radius_mm, {found.elongation});
+  state.moment_nmm = {0, found.moment_nmm};
+  state.force_n = found.force_n;
+  state.residual = found.residual;
+  state.error_estimate = found.error;
+  state.smallest_eigenvalue = found.smallest_eigenvalue;
+  state.stable = found.smallest_eigenvalue > 0;
+  state.iterations = found.iterations;
+  return state;
+}
+
+/// The pressure between two, d|kappa|/dP having opposite signs there, where it is zero.
+TurningPoint turning_point_between(const Rods& rods, double length_mm, double low_kpa,
+                                   double high_kpa, const RodsState& at_low) {
+  const double sign = at_low.bend_rad_per_mm_per_mpa > 0 ? 1 : -1;
+  RodsState middle = at_low;
+  double pressure = low_kpa;
+  for (int i = 0; i < most_halvings; ++i) {
+    pressure = 0.5 * (low_kpa + high_kpa);
+    middle = *at_pressure(rods, pressure, {});
+    (middle.bend_rad_per_mm_per_mpa * sign > 0 ? low_kpa : high_kpa) = pressure;
+  }
+  TurningPoint point;
+  point.largest = at_low.bend_rad_per_mm_per_mpa * at_low.bend_rad_per_mm * low_kpa > 0;
+  point.pressure_kpa = pressure;
+  point.state = state_of(rods, middle, pressure);
+  point.name = turning_name(point, length_mm);
+  return point;
+}
+
+void find_turning_points(const Rods& rods, double length_mm, double end_kpa, Response& response) {
+  std::optional<RodsState> before;
+  for (int i = 1; i <= scan_steps; ++i) {
+    const auto here = at_pressure(rods, end_kpa * i / scan_steps, {});
+    if (!here) return;
+    if (before && before->bend_rad_per_mm_per_mpa * here->bend_rad_per_mm_per_mpa < 0) {
+      response.turning_points.push_back(turning_point_between(
+          rods, length_mm, end_kpa * (i - 1) / scan_steps, end_kpa * i / scan_steps, *before));
+    }
+    before = here;
+  }
+}
+
+}  // namespace
+
+void predict_rods(const Rods& rods, double length_mm, std::span<const double> pressures_kpa,
+                  Held held, Response& response) {
+  using Clock = std::chrono::steady_clock;
+  if (!held.stretch) response.solved.emplace_back("stretch");
+  if (!held.bend) response.solved.emplace_back("bend-1");
+  Clock::time_point since = Clock::now();
+  double lowest = 0;
+  double highest = 0;
+  for (std::size_t i = 0; i < pressures_kpa.size(); ++i) {
+    RodsRefusal why{};
+    const auto found = at_pressure(rods, pressures_kpa[i], held, &why);
+    if (!found) {
+      if (response.status != Status::ok) continue;
+      response.status = Status::not_converged;
+      response.message = refusal_text(pressures_kpa[i], why);
+      continue;
+    }
+    lowest = std::min(lowest, pressures_kpa[i]);
+    highest = std::max(highest, pressures_kpa[i]);
+    response.states[i] = state_of(rods, *found, pressures_kpa[i]);
+    const Clock::time_point now = Clock::now();
+    response.states[i]->time_us = std::chrono::duration<double, std::micro>(now - since).count();
+    since = now;
+  }
+  if (held.stretch || held.bend) return;
+  if (highest > 0) find_turning_points(rods, length_mm, highest, response);
+  if (lowest < 0) find_turning_points(rods, length_mm, lowest, response);
+}
+
+}  // namespace latticast

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The balance of forces of one section, in scaled form, for whoever solves it (MODEL.md section 1).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/equilibrium/response.h"
+#include "model/section/section.h"
+
+namespace latticast {
+
+/// A point of the (state, pressure) space: the n free coordinates in scaled form, then the scaled
+/// pressure; entries past n + 1 are unused.
+using BranchPoint = std::array<double, coordinate_count + 1>;
+
+/// The balance at one point; n free coordinates, n x n matrices column after column.
+struct BalanceAt {
+  using Vector = std::array<double, coordinate_count>;
+  using Matrix = std::array<double, std::size_t{coordinate_count} * coordinate_count>;
+  Vector imbalance{};   ///< scaled dPi/dq over the free coordinates; 0 in equilibrium
+  Matrix stiffness{};   ///< scaled d2Pi/dq2
+  Vector push{};        ///< scaled dV/dq: what one unit of pressure adds
+  Matrix push_slope{};  ///< its derivative
+  Vector reaction{};    ///< dPi/dq of all coordinates: N, N mm, N/mm, N mm, N mm
+};
+
+/// Smallest eigenvalues of what symmetry leaves out, see Balance::left_out.
+struct LeftOut {
+  std::array<double, coordinate_count> eigenvalues{};  ///< of the scaled stiffness
+  int count = 0;
+};
+
+/// Scaled coordinates are (lambda - 1, k R_o, kappa R_o, a/R_i - 1), the bore last; energies are in
+/// units of G A (liner shear modulus at rest times rubber cross-section). The pressure unit is the
+/// one that moves the rest state at unit speed in these coordinates, so that pressure and state
+/// weigh alike along the branch.
+/// Coordinates that the section's symmetry keeps at zero are not solved for; their stiffness, which
+/// is not coupled to that of the others, is still asked for stability.
+class Balance {
+ public:
+  Balance(const Section& section, Held held, const SolverOptions& options);
+
+  int free_count() const { return static_cast<int>(free_.size()); }
+
+  /// Empty where the state cannot exist. `x` holds n + 1 numbers.
+  std::optional<BalanceAt> at(std::span<const double> x) const;
+
+  /// The same under the finer quadrature that errors are measured with.
+  std::optional<BalanceAt> finer_at(std::span<const double> x) const;
+
+  /// How far the imbalance may be off for other reasons than its quadrature: interpolated horseshoe
+  /// laws, and rounding of forces as large as the pressure's. Scaled as the imbalance is.
+  BalanceAt::Vector doubt(std::span<const double> x, const BalanceAt& at) const;
+
+  /// Stiffness against the free coordinates that symmetry keeps at zero: buckling in twist and
+  /// sideways. Precondition: `at(x)` is not empty.
+  LeftOut left_out(std::span<const double> x) const;
+
+  /// Takes more quadrature points, in R or around the tube or both, wherever the imbalance at `x`
+  /// is not yet good, and panels toward a bore that is nearly closed; false when there are as many
+  /// as there may be.
+  bool refine(std::span<const double> x);
+
+  Deformation deformation(std::span<const double> x) const;
+  double pressure_mpa(std::span<const double> x) const { return x[free_.size()] * pressure_mpa_; }
+  double scaled_pressure(double pressure_mpa) const { return pressure_mpa / pressure_mpa_; }
+
+  /// Free coordinates by their numbers in `coordinate`, in the order of x.
+  const std::vector<int>& free_coordinates() const { return free_; }
+
+  /// G A in N, the unit of scaled energies.
+  double energy_unit() const { return energy_; }
+  const Section& section() const { return section_; }
+
+ private:
+  std::optional<BalanceAt> evaluate(std::span<const double> x, const Quadrature& quadrature) const;
+  Quadrature quadrature(int liner, int lattice, int around) const;
+  void set_points(int liner, int lattice, int around);
+  void sort_coordinates(Held held, bool all_unknowns);
+
+  Section section_;
+  std::vector<int> active_;    // coordinates with a derivative: free ones, and held ones that react
+  std::vector<int> free_;      // solved for
+  std::vector<int> left_out_;  // free, but zero by symmetry
+  std::array<double, coordinate_count> scale_{};
+  double energy_ = 1;
+  double pressure_mpa_ = 1;
+  bool points_fixed_ = false;
+  int liner_points_ = 0;
+  int lattice_points_ = 0;
+  int around_ = 0;  // directions, or intervals on half a turn
+  int panels_ = 1;  // toward the bore
+  Quadrature quadrature_;
+  Quadrature finer_;
+  Quadrature for_left_out_;
+};
+
+}  // namespace latticast

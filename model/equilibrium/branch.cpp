@@ -1,0 +1,504 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/equilibrium/branch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Dense>
+
+#include "model/equilibrium/turning_point.h"
+
+namespace latticast {
+namespace {
+
+// No heap: a section has at most five free coordinates and the pressure.
+using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
+using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
+using Eigen::Map;
+
+constexpr int most_iterations = 12;
+constexpr double first_reach = 0.3;
+constexpr double smallest_reach = 1e-10;
+constexpr double path_accuracy = 1e-7;
+constexpr double endless_growth = 1e3;          // of a scaled coordinate, whose order is 1
+constexpr double near_its_bound = 0.01;         // of an asymptote's pressure, what may be left
+constexpr double bifurcation_accuracy = 1e-12;  // of its pressure, relative
+constexpr double turning_goal = 1e-9;           // of the state where an angle turns back
+constexpr double closed_bore = -0.999;          // a/R_i - 1, always the last free coordinate
+constexpr double wanted_turning = 0.08;    // correction against step that a step is chosen for ...
+constexpr double greatest_turning = 0.15;  // ... and beyond which it does not count
+constexpr double least_alignment = 0.95;   // cosine between successive tangents
+constexpr double law_end = 1e-6;  // room in a horseshoe's law, relative, that counts as none
+constexpr int limit_checks = 8;   // parts of the way to a limit point
+
+double dot(const BranchPoint& a, const BranchPoint& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+double distance(const BranchPoint& a, const BranchPoint& b) {
+  BranchPoint apart{};
+  for (std::size_t i = 0; i < a.size(); ++i) apart[i] = a[i] - b[i];
+  return std::sqrt(dot(apart, apart));
+}
+
+BranchPoint between(const BranchPoint& a, const BranchPoint& b, double fraction) {
+  BranchPoint x{};
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = a[i] + fraction * (b[i] - a[i]);
+  return x;
+}
+
+template <int n>
+void eigenvalues_of(const double* stiffness, double* values) {
+  using Fixed = Eigen::Matrix<double, n, n>;
+  const Eigen::SelfAdjointEigenSolver<Fixed> solver(Map<const Fixed>(stiffness),
+                                                    Eigen::EigenvaluesOnly);
+  std::copy_n(solver.eigenvalues().data(), n, values);
+}
+
+/// Of the symmetric n x n stiffness, rising.
+BalanceAt::Vector stiffness_eigenvalues(const BalanceAt& balance, int n) {
+  constexpr std::array solvers{eigenvalues_of<1>, eigenvalues_of<2>, eigenvalues_of<3>,
+                               eigenvalues_of<4>, eigenvalues_of<5>};
+  static_assert(solvers.size() == coordinate_count);
+  BalanceAt::Vector values{};
+  solvers[n - 1](balance.stiffness.data(), values.data());
+  return values;
+}
+
+/// Derivatives of the imbalance by coordinates and pressure, closed by a plane's normal: regular
+/// also where the stiffness alone is singular.
+Matrix bordered(const BalanceAt& balance, const BranchPoint& normal, int n) {
+  Matrix matrix(n + 1, n + 1);
+  matrix.topLeftCorner(n, n) = Map<const Eigen::MatrixXd>(balance.stiffness.data(), n, n);
+  matrix.topRightCorner(n, 1) = -Map<const Eigen::VectorXd>(balance.push.data(), n);
+  matrix.bottomRows(1) = Map<const Eigen::RowVectorXd>(normal.data(), n + 1);
+  return matrix;
+}
+
+/// The direction in which imbalance stays zero, on the side of `guide`.
+BranchPoint tangent_at(const BalanceAt& balance, const BranchPoint& guide, int n) {
+  Vector right = Vector::Zero(n + 1);
+  right[n] = 1;
+  const Vector direction = bordered(balance, guide, n).partialPivLu().solve(right).normalized();
+  BranchPoint tangent{};
+  std::copy(direction.begin(), direction.end(), tangent.begin());
+  return tangent;
+}
+
+/// What is left of a horseshoe's law on the way to its nearer end: 1 at rest, 0 there, and below 0
+/// past it. Empty without horseshoes, or where the state cannot exist.
+std::optional<double> room_in_laws(const Balance& balance, const BranchPoint& x) {
+  const auto horseshoe = most_strained_horseshoe(balance.section(), balance.deformation(x));
+  if (!horseshoe) return std::nullopt;
+  const StrainRange& range = horseshoe->range;
+  return std::min(1 - horseshoe->strain / range.lowest, 1 - horseshoe->strain / range.highest);
+}
+
+/// Whether the pressure between two states may turn back and forth again.
+bool may_turn_between(const BranchState& a, const BranchState& b, int n) {
+  const double mean = (b.x[n] - a.x[n]) / distance(a.x, b.x);
+  return slope_may_vanish(a.tangent[n], b.tangent[n], mean);
+}
+
+}  // namespace
+
+Branch::Branch(const Section& section, Held held, const SolverOptions& options)
+    : balance_(section, held, options),
+      options_(options),
+      n_(balance_.free_count()),
+      newton_(n_ + 1) {
+  restart();
+}
+
+void Branch::restart() {
+  here_ = {};
+  here_.balance = *balance_.at(here_.x);
+  examine_stability(here_);
+  here_.tangent = tangent_at(here_.balance, pressure_axis(), n_);
+  reach_ = first_reach;
+  critical_points_.clear();
+  turning_points_.clear();
+}
+
+void Branch::examine_stability(BranchState& state) const {
+  const BalanceAt::Vector values = stiffness_eigenvalues(state.balance, n_);
+  state.smallest_eigenvalue = state.nearest_eigenvalue = values[0];
+  state.negative_eigenvalues = 0;
+  for (int i = 0; i < n_; ++i) {
+    if (std::abs(values[i]) < std::abs(state.nearest_eigenvalue)) {
+      state.nearest_eigenvalue = values[i];
+    }
+    if (values[i] < 0) ++state.negative_eigenvalues;
+  }
+  state.nearest_solved_eigenvalue = state.nearest_eigenvalue;
+  const LeftOut left_out = balance_.left_out(state.x);
+  for (int i = 0; i < left_out.count; ++i) {
+    const double value = left_out.eigenvalues[i];
+    state.smallest_eigenvalue = std::min(state.smallest_eigenvalue, value);
+    if (std::abs(value) < std::abs(state.nearest_eigenvalue)) state.nearest_eigenvalue = value;
+    if (value < 0) ++state.negative_eigenvalues;
+  }
+}
+
+BranchPoint Branch::pressure_axis() const {
+  BranchPoint axis{};
+  axis[n_] = 1;
+  return axis;
+}
+
+/// How far the coordinates of two points are apart.
+double Branch::movement(const BranchPoint& a, const BranchPoint& b) const {
+  return distance(at_pressure(0, a), at_pressure(0, b));
+}
+
+BranchPoint Branch::ahead(double length) const {
+  BranchPoint x = here_.x;
+  for (int i = 0; i <= n_; ++i) x[i] += length * here_.tangent[i];
+  return x;
+}
+
+/// The equilibrium in the plane through `start` with the given normal, found from `start`.
+std::optional<BranchState> Branch::corrected(const BranchPoint& start, const BranchPoint& normal) {
+  BranchState state;
+  const auto system = [&](std::span<const double> x, std::span<double> residual,
+                          std::span<double> jacobian) {
+    const auto at = balance_.at(x);
+    if (!at) return false;
+    state.balance = *at;
+    Map<Eigen::MatrixXd>(jacobian.data(), n_ + 1, n_ + 1) = bordered(*at, normal, n_);
+    std::copy_n(at->imbalance.begin(), n_, residual.begin());
+    residual[n_] = 0;
+    for (int i = 0; i <= n_; ++i) residual[n_] += normal[i] * (x[i] - start[i]);
+    return true;
+  };
+  state.x = start;
+  const bool solved =
+      newton_.solve(std::span<double>(state.x).first(n_ + 1), system, most_iterations);
+  iterations_ += newton_.iterations();
+  if (!solved) return std::nullopt;
+  examine_stability(state);
+  state.tangent = tangent_at(state.balance, here_.tangent, n_);
+  return state;
+}
+
+Branch::Step Branch::try_step(const BranchPoint& start, const BranchPoint& normal) {
+  const auto state = corrected(start, normal);
+  if (!state) return {};
+  // In coordinates alone: a pressure far beyond the liner's strength would hide their changes.
+  const double turning = movement(state->x, start) / std::max(movement(state->x, here_.x), 1e-6);
+  const bool accepted = turning <= greatest_turning &&
+                        dot(state->tangent, here_.tangent) >= least_alignment &&
+                        !may_turn_between(here_, *state, n_);
+  return {*state, turning, accepted};
+}
+
+Reached Branch::advance_to(double pressure_mpa) {
+  const double target = balance_.scaled_pressure(pressure_mpa);
+  if (target == here_.x[n_]) return Reached::target;
+  const double sign = target > here_.x[n_] ? 1 : -1;
+  // Only at rest can the tangent still point the other way.
+  if (here_.tangent[n_] * sign < 0) {
+    for (double& t : here_.tangent) t = -t;
+  }
+  if (at_end(target, sign)) return Reached::end;
+  while (true) {
+    const Reached reached = follow_to(target, sign);
+    // Close to a rubber's stretch limit a coarse quadrature loses its solution before a fine one
+    // does.
+    const bool final = reached != Reached::lost || at_law_end() || has_grown_away();
+    if (final || !refine_here()) return reached;
+    reach_ = first_reach;
+  }
+}
+
+Reached Branch::follow_to(double target, double sign) {
+  const auto beyond_target = [&](double pressure) { return (pressure - target) * sign > 0; };
+  for (int count = 0; count < options_.most_steps && reach_ > smallest_reach; ++count) {
+    if (at_law_end()) return Reached::lost;
+    reach_ = within_laws(reach_);
+    const double to_target = (target - here_.x[n_]) / here_.tangent[n_];
+    const bool landing = to_target <= reach_;
+    const double length = landing ? to_target : reach_;
+    const Step step = landing ? try_step(at_pressure(target, ahead(length)), pressure_axis())
+                              : try_step(ahead(length), here_.tangent);
+    const double change = wanted_turning / std::max(step.turning, 1e-3);
+    if (!step.accepted || (!landing && beyond_target(step.state.x[n_]))) {
+      reach_ = length * std::clamp(change, 0.1, 0.5);
+      continue;
+    }
+    if (step.state.tangent[n_] * sign <= 0) {
+      // So far out the slope of the pressure is below rounding.
+      if (largest_growth() > 0.1 * endless_growth) return end_of_growth();
+      const auto limit = limit_point_before(step.state);
+      if (limit && !beyond_target(limit->x[n_])) return end_at(*limit);
+      if (limit && land_before(*limit, target)) return finish_landing();
+      reach_ = 0.5 * length;
+      continue;
+    }
+    // A crossing that cannot be pinned down between here and there is a step to another branch.
+    if (step.state.negative_eigenvalues != here_.negative_eigenvalues &&
+        !note_bifurcation_before(step.state)) {
+      reach_ = 0.5 * length;
+      continue;
+    }
+    if (step.state.x[n_ - 1] < closed_bore) return note_closure(step.state);
+    note_turning_points_before(step.state);
+    here_ = step.state;
+    if (at_law_end()) return Reached::lost;
+    const double next = length * std::clamp(change, 0.5, 4.0);
+    reach_ = std::min(landing ? std::max(reach_, next) : next, longest_step());
+    if (landing) return finish_landing();
+    // The path must be the section's own, not a coarse quadrature's.
+    refine_to(path_accuracy);
+    if (largest_growth() > endless_growth) return end_of_growth();
+  }
+  return Reached::lost;
+}
+
+Reached Branch::end_at(const CriticalPoint& end) {
+  critical_points_.push_back(end);
+  return Reached::end;
+}
+
+BranchPoint Branch::at_pressure(double pressure, BranchPoint x) const {
+  x[n_] = pressure;
+  return x;
+}
+
+/// Whether the branch is known to end before `target`.
+bool Branch::at_end(double target, double sign) const {
+  if (critical_points_.empty()) return false;
+  const CriticalPoint& last = critical_points_.back();
+  return last.kind != LimitKind::bifurcation && (last.x[n_] - target) * sign <= 0;
+}
+
+/// Whether a horseshoe or the liner's rubber is where its law ends. A Gent rubber comes ever closer
+/// to its limit as the pressure rises, a path that costs more and more and says nothing more.
+bool Branch::at_law_end() const {
+  if (stretch_limit_used(balance_.section(), balance_.deformation(here_.x)) > 1 - law_end) {
+    return true;
+  }
+  const auto room = room_in_laws(balance_, here_.x);
+  return room && *room < law_end;
+}
+
+/// A step that would take a horseshoe past its law's end is shortened to nine tenths of the way
+/// there: a few such steps come to the end, where halving would take dozens.
+double Branch::within_laws(double length) const {
+  const auto here = room_in_laws(balance_, here_.x);
+  if (!here) return length;
+  const auto there = room_in_laws(balance_, ahead(length));
+  return there && *there < 0 ? length * 0.9 * *here / (*here - *there) : length;
+}
+
+double Branch::largest_growth() const {
+  double growth = 0;
+  for (int i = 0; i < n_; ++i) growth = std::max(growth, std::abs(here_.x[i]));
+  return growth;
+}
+
+/// A branch may turn within a share of what it has come, however straight it seems: another one
+/// runs beside it where stiff strands snap.
+double Branch::longest_step() const {
+  return 0.25 * std::max(2.0, 1 + std::max(largest_growth(), std::abs(here_.x[n_])));
+}
+
+bool Branch::has_grown_away() const {
+  return largest_growth() > 0.1 * endless_growth;
+}
+
+/// Where the pressure still rises noticeably, it has no bound that could be named.
+Reached Branch::end_of_growth() {
+  const CriticalPoint asymptote = asymptote_here();
+  return asymptote.pressure_error < near_its_bound ? end_at(asymptote) : Reached::lost;
+}
+
+/// A soft tube can widen without end while the pressure tends to a bound (a neo-Hookean tube of
+/// held length does); there is no limit point to find then.
+CriticalPoint Branch::asymptote_here() const {
+  const double left = std::abs(here_.tangent[n_]) * largest_growth();
+  return {LimitKind::asymptote, here_.x, here_.balance, left / std::abs(here_.x[n_])};
+}
+
+/// Moves here to a pressure short of a known limit point. Near it the state goes with the square
+/// root of the pressure that is left, which predicts far better than the tangent.
+bool Branch::land_before(const CriticalPoint& limit, double target) {
+  const double left = (limit.x[n_] - target) / (limit.x[n_] - here_.x[n_]);
+  const BranchPoint start = at_pressure(target, between(limit.x, here_.x, std::sqrt(left)));
+  const auto state = corrected(start, pressure_axis());
+  if (!state || state->negative_eigenvalues != here_.negative_eigenvalues ||
+      movement(state->x, start) > greatest_turning * movement(state->x, here_.x)) {
+    return false;
+  }
+  here_ = *state;
+  return true;
+}
+
+/// The limit point between here and an equilibrium past it. The eigenvalue is nearly linear in arc
+/// length there, which gives the guess.
+std::optional<CriticalPoint> Branch::limit_point_before(const BranchState& beyond) {
+  if (!limit_newton_) limit_newton_.emplace(limit_point_unknowns(balance_));
+  const double before = std::abs(here_.nearest_solved_eigenvalue);
+  const double fraction = before / (before + std::abs(beyond.nearest_solved_eigenvalue));
+  BranchPoint guess = between(here_.x, beyond.x, fraction);
+  const double step = distance(here_.x, beyond.x);
+  while (true) {
+    const auto found = locate_limit_point(balance_, *limit_newton_, guess);
+    iterations_ += limit_newton_->iterations();
+    // Between means between: anything else belongs to another branch.
+    if (!found || distance(found->x, here_.x) > 1.1 * step ||
+        distance(found->x, beyond.x) > 1.1 * step) {
+      return std::nullopt;
+    }
+    if (found->pressure_error <= options_.error_goal || !balance_.refine(found->x)) {
+      return is_connected(found->x) ? found : std::nullopt;
+    }
+    guess = found->x;
+  }
+}
+
+/// Whether the branch runs along the chord from here to a limit point, pressure rising, stability
+/// as here. Where stiff strands lock, it may leave the chord for much higher pressures, and what
+/// lies behind is where another branch has its least pressure.
+bool Branch::is_connected(const BranchPoint& limit) {
+  const double length = distance(limit, here_.x);
+  BranchPoint chord{};
+  for (int i = 0; i <= n_; ++i) chord[i] = (limit[i] - here_.x[i]) / length;
+  for (int i = 1; i < limit_checks; ++i) {
+    const BranchPoint start = between(here_.x, limit, static_cast<double>(i) / limit_checks);
+    const auto state = corrected(start, chord);
+    if (!state || state->negative_eigenvalues != here_.negative_eigenvalues ||
+        distance(state->x, start) > greatest_turning * length ||
+        std::abs(state->x[n_]) > std::abs(limit[n_])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The pressure at which an eigenvalue changes sign without the branch turning back, by the secant
+/// method kept inside its bracket (Illinois).
+std::optional<CriticalPoint> Branch::bifurcation_before(const BranchState& beyond) {
+  BranchPoint low = here_.x;
+  BranchPoint high = beyond.x;
+  double at_low = std::abs(here_.nearest_eigenvalue);
+  double at_high = -std::abs(beyond.nearest_eigenvalue);
+  const double slope = (at_low - at_high) / (low[n_] - high[n_]);
+  int side = 0;
+  for (int i = 0; i < 60; ++i) {
+    const BranchPoint start = between(low, high, at_low / (at_low - at_high));
+    const auto middle = corrected(start, pressure_axis());
+    if (!middle || distance(middle->x, start) > greatest_turning * distance(here_.x, beyond.x)) {
+      return std::nullopt;
+    }
+    const double error = std::abs(middle->nearest_eigenvalue / (slope * middle->x[n_]));
+    if (error < bifurcation_accuracy) {
+      return CriticalPoint{LimitKind::bifurcation, middle->x, middle->balance, error};
+    }
+    const bool before = middle->negative_eigenvalues == here_.negative_eigenvalues;
+    (before ? low : high) = middle->x;
+    (before ? at_low : at_high) = std::abs(middle->nearest_eigenvalue) * (before ? 1 : -1);
+    const int now = before ? 1 : -1;
+    if (now == side) (before ? at_high : at_low) *= 0.5;
+    side = now;
+  }
+  return std::nullopt;
+}
+
+/// A path good to `path_accuracy` is not enough here: the quadrature is refined until the turning
+/// points are.
+void Branch::note_turning_points_before(const BranchState& beyond) {
+  const auto equilibrium = [&](const BranchPoint& start) {
+    return corrected(start, pressure_axis());
+  };
+  while (true) {
+    std::vector<TurningState> found = turning_points_between(balance_, here_, beyond, equilibrium);
+    double worst = 0;
+    for (TurningState& turning : found) {
+      const double error = error_at(turning.x, turning.balance);
+      turning.pressure_error = std::max(turning.pressure_error, error);
+      worst = std::max(worst, error);
+    }
+    if (worst > turning_goal && balance_.refine(beyond.x)) continue;
+    turning_points_.insert(turning_points_.end(), found.begin(), found.end());
+    return;
+  }
+}
+
+/// The branch ends where the bore is down to a thousandth; the energy does not know of contact.
+/// Lands on that bore between here and a state past it.
+Reached Branch::note_closure(const BranchState& beyond) {
+  BranchPoint normal{};
+  normal[n_ - 1] = 1;
+  const double fraction = (closed_bore - here_.x[n_ - 1]) / (beyond.x[n_ - 1] - here_.x[n_ - 1]);
+  BranchPoint start = between(here_.x, beyond.x, fraction);
+  start[n_ - 1] = closed_bore;
+  while (true) {
+    const auto closed = corrected(start, normal);
+    if (!closed) return Reached::lost;
+    const auto finer = balance_.finer_at(closed->x);
+    if (!finer) return Reached::lost;
+    Vector imbalance = Vector::Zero(n_ + 1);
+    imbalance.head(n_) = Map<const Eigen::VectorXd>(finer->imbalance.data(), n_);
+    const Vector error = bordered(closed->balance, normal, n_).partialPivLu().solve(imbalance);
+    const double relative = std::abs(error[n_] / closed->x[n_]);
+    if (relative <= options_.error_goal || !balance_.refine(closed->x)) {
+      return end_at({LimitKind::closure, closed->x, closed->balance, relative});
+    }
+    start = closed->x;
+  }
+}
+
+bool Branch::note_bifurcation_before(const BranchState& beyond) {
+  const auto bifurcation = bifurcation_before(beyond);
+  if (bifurcation) critical_points_.push_back(*bifurcation);
+  return bifurcation.has_value();
+}
+
+/// Takes a finer quadrature and moves here to its equilibrium at the same pressure.
+bool Branch::refine_here() {
+  if (!balance_.refine(here_.x)) return false;
+  const auto refined = corrected(here_.x, pressure_axis());
+  if (refined) here_ = *refined;
+  return refined.has_value();
+}
+
+/// Largest error of a scaled coordinate: twice the finer quadrature's imbalance, since that one is
+/// not exact either, and what else is in doubt, mapped by H^-1; and the rounding of the coordinate
+/// itself.
+double Branch::error_at(const BranchPoint& x, const BalanceAt& balance) const {
+  const auto finer = balance_.finer_at(x);
+  if (!finer) return std::numeric_limits<double>::infinity();
+  const Matrix stiffness = Map<const Eigen::MatrixXd>(balance.stiffness.data(), n_, n_);
+  const Vector imbalance = Map<const Eigen::VectorXd>(finer->imbalance.data(), n_);
+  const BalanceAt::Vector doubts = balance_.doubt(x, balance);
+  const Vector doubt = Map<const Eigen::VectorXd>(doubts.data(), n_);
+  const Matrix inverse = stiffness.inverse();
+  const double error =
+      (2 * (inverse * imbalance).cwiseAbs() + inverse.cwiseAbs() * doubt).maxCoeff();
+  double largest = 1;
+  for (int i = 0; i < n_; ++i) largest = std::max(largest, 1 + std::abs(x[i]));
+  return error + largest * std::numeric_limits<double>::epsilon();
+}
+
+/// Refines the quadrature until the state here is good to `goal`, or rounding lets it get no
+/// better.
+void Branch::refine_to(double goal) {
+  here_.error_estimate = error_at(here_.x, here_.balance);
+  double before = std::numeric_limits<double>::infinity();
+  while (here_.error_estimate > goal && here_.error_estimate < 0.9 * before) {
+    before = here_.error_estimate;
+    if (!refine_here()) break;
+    here_.error_estimate = error_at(here_.x, here_.balance);
+  }
+}
+
+Reached Branch::finish_landing() {
+  refine_to(options_.error_goal);
+  return Reached::target;
+}
+
+}  // namespace latticast

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/equilibrium/turning_name.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+namespace latticast {
+
+std::string pressure_text(double pressure_kpa) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g kPa", pressure_kpa);
+  return text;
+}
+
+std::string turning_name(const TurningPoint& point, double length_mm) {
+  const bool bend = point.quantity == TurningQuantity::bend;
+  const double angle =
+      (bend ? point.state.bend_magnitude_rad_per_mm() : std::abs(point.state.twist_rad_per_mm)) *
+      length_mm * 180 / std::numbers::pi;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "%s angle is %s, %.4g degrees, at %s: an inverse P(%s) has two branches",
+                bend ? "bending" : "twist", point.largest ? "largest" : "smallest", angle,
+                pressure_text(point.pressure_kpa).c_str(), bend ? "theta" : "twist");
+  return text;
+}
+
+}  // namespace latticast

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/equilibrium/turning_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace latticast {
+namespace {
+
+constexpr double least_slope = 1e-12;  // along the branch, above rounding
+constexpr double least_angle = 1e-9;   // scaled, above rounding
+constexpr double accuracy = 1e-11;     // of a rate, against its change over the step
+constexpr int most_halvings = 6;
+constexpr int most_iterations = 80;
+
+/// One angle by the entries of a point that make it: `count` successive ones, two for a bending
+/// about any axis.
+struct Angle {
+  bool of_bending = false;
+  int first = 0;
+  int count = 0;
+
+  double size(const BranchPoint& x) const {
+    return count == 1 ? std::abs(x[first]) : std::hypot(x[first], x[first + 1]);
+  }
+
+  /// Slope along the branch: of the signed angle where it has one entry, else of its size.
+  double rate(const BranchState& state) const {
+    const double angle = size(state.x);
+    const double speed = size(state.tangent);
+    if (angle < least_angle && speed < least_angle) return 0;
+    if (count == 1) return state.tangent[first];
+    if (angle < least_angle) return speed;
+    return (state.x[first] * state.tangent[first] + state.x[first + 1] * state.tangent[first + 1]) /
+           angle;
+  }
+
+  double mean_rate(const BranchState& from, const BranchState& to) const {
+    double square = 0;
+    for (std::size_t i = 0; i < from.x.size(); ++i) {
+      square += (to.x[i] - from.x[i]) * (to.x[i] - from.x[i]);
+    }
+    const double change = count == 1 ? to.x[first] - from.x[first] : size(to.x) - size(from.x);
+    return change / std::sqrt(square);
+  }
+};
+
+Angle angle_of(const Balance& balance, bool bending) {
+  Angle angle{bending};
+  const std::vector<int>& free = balance.free_coordinates();
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const bool bend = free[i] == coordinate::bend_1 || free[i] == coordinate::bend_2;
+    if (bending ? !bend : free[i] != coordinate::twist) continue;
+    if (angle.count == 0) angle.first = static_cast<int>(i);
+    ++angle.count;
+  }
+  return angle;
+}
+
+BranchPoint between(const BranchPoint& a, const BranchPoint& b, double fraction) {
+  BranchPoint x{};
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = a[i] + fraction * (b[i] - a[i]);
+  return x;
+}
+
+/// Where the rate is zero, its signs at the ends being different: the secant method kept inside its
+/// bracket (Illinois). Empty where the rate jumps instead.
+std::optional<TurningState> located(const Angle& angle, int pressure_entry, const BranchState& from,
+                                    const BranchState& to, const EquilibriumNear& equilibrium) {
+  BranchPoint low = from.x;
+  BranchPoint high = to.x;
+  double at_low = angle.rate(from);
+  double at_high = angle.rate(to);
+  const double sense = at_low > 0 ? 1 : -1;
+  const double size = std::abs(at_low - at_high);
+  const double step = std::abs(high[pressure_entry] - low[pressure_entry]);
+  int side = 0;
+  for (int i = 0; i < most_iterations; ++i) {
+    const double fraction = std::clamp(at_low / (at_low - at_high), 1e-3, 1 - 1e-3);
+    const auto middle = equilibrium(between(low, high, fraction));
+    if (!middle) return std::nullopt;
+    const double rate = angle.rate(*middle);
+    const double width = std::abs(high[pressure_entry] - low[pressure_entry]);
+    const double pressure = std::abs(middle->x[pressure_entry]);
+    const bool narrow = width < 1e-13 * pressure;
+    if (std::abs(rate) < accuracy * size || narrow) {
+      if (std::abs(rate) > 1e-3 * size) return std::nullopt;
+      const bool outward = angle.count > 1 || middle->x[angle.first] > 0;
+      const double error = std::abs(rate) / size * step / pressure;
+      return TurningState{angle.of_bending, (sense > 0) == outward, middle->x, middle->balance,
+                          error};
+    }
+    const int now = rate * sense > 0 ? 1 : -1;
+    (now > 0 ? low : high) = middle->x;
+    (now > 0 ? at_low : at_high) = rate;
+    if (now == side) (now > 0 ? at_high : at_low) *= 0.5;
+    side = now;
+  }
+  return std::nullopt;
+}
+
+void search(const Angle& angle, int pressure_entry, const BranchState& from, const BranchState& to,
+            const EquilibriumNear& equilibrium, int halvings, std::vector<TurningState>& found) {
+  const double start = angle.rate(from);
+  const double end = angle.rate(to);
+  if (start * end < 0) {
+    const auto turning = located(angle, pressure_entry, from, to, equilibrium);
+    if (turning) found.push_back(*turning);
+    return;
+  }
+  if (halvings == 0 || !slope_may_vanish(start, end, angle.mean_rate(from, to))) return;
+  const auto middle = equilibrium(between(from.x, to.x, 0.5));
+  if (!middle) return;
+  search(angle, pressure_entry, from, *middle, equilibrium, halvings - 1, found);
+  search(angle, pressure_entry, *middle, to, equilibrium, halvings - 1, found);
+}
+
+}  // namespace
+
+bool slope_may_vanish(double start, double end, double mean) {
+  const double sense = start < 0 ? -1 : 1;
+  start *= sense;
+  end *= sense;
+  mean *= sense;
+  const double lesser = std::min(start, end);
+  if (lesser < least_slope) return false;
+  // Past a slope that small against the other end's, the quadratic is no guide.
+  if (std::max(start, end) > 8 * lesser) return true;
+  // Slope at u in 0..1: start + linear u + square u^2.
+  const double linear = 6 * mean - 4 * start - 2 * end;
+  const double square = 3 * (start + end) - 6 * mean;
+  if (square <= 0) return false;
+  const double u = -linear / (2 * square);
+  return u > 0 && u < 1 && start + 0.5 * linear * u < 0.5 * lesser;
+}
+
+std::vector<TurningState> turning_points_between(const Balance& balance, const BranchState& from,
+                                                 const BranchState& to,
+                                                 const EquilibriumNear& equilibrium) {
+  std::vector<TurningState> found;
+  for (const bool bending : {true, false}) {
+    const Angle angle = angle_of(balance, bending);
+    if (angle.count == 0) continue;
+    search(angle, balance.free_count(), from, to, equilibrium, most_halvings, found);
+  }
+  std::stable_sort(found.begin(), found.end(), [&](const TurningState& a, const TurningState& b) {
+    const int n = balance.free_count();
+    return std::abs(a.x[n]) < std::abs(b.x[n]);
+  });
+  return found;
+}
+
+}  // namespace latticast

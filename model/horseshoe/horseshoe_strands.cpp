@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/horseshoe/horseshoe_strands.h"
+
+#include <numbers>
+#include <set>
+#include <string>
+#include <variant>
+
+namespace latticast {
+
+double rest_shear_modulus(const Law& law) {
+  if (const auto* rubber = std::get_if<NeoHookean>(&law)) return rubber->shear_modulus_mpa;
+  if (const auto* rubber = std::get_if<Yeoh>(&law)) return 2 * rubber->c1_mpa;
+  if (const auto* rubber = std::get_if<Gent>(&law)) return rubber->shear_modulus_mpa;
+  throw UnsupportedDesign(
+      "the liner has a linear law, which only axial columns under columns = \"rods\" can use; "
+      "other "
+      "sections need a rubber (neo-hookean, yeoh or gent)");
+}
+
+double strand_modulus_mpa(const Lattice& lattice) {
+  if (const auto* linear = std::get_if<Linear>(&lattice.material.law)) {
+    return linear->youngs_modulus_mpa;
+  }
+  throw UnsupportedDesign(
+      "the lattice material is a rubber; strands need a linear material (E, nu)");
+}
+
+HorseshoeShape horseshoe_shape(const Segment& segment, const Grid& grid, double width_mm) {
+  return {grid.horseshoe->radius_mm, grid.horseshoe->arc_deg * std::numbers::pi / 180, width_mm,
+          segment.lattice->thickness_mm, strand_modulus_mpa(*segment.lattice)};
+}
+
+std::vector<HorseshoeShape> horseshoe_shapes(const Segment& segment) {
+  std::vector<HorseshoeShape> shapes;
+  if (!segment.lattice) return shapes;
+  std::set<HorseshoeShape, HorseshoeShapeOrder> met;
+  for (const Grid& grid : segment.lattice->grids) {
+    if (!grid.horseshoe) continue;
+    for (const double width : grid.widths_mm) {
+      const HorseshoeShape shape = horseshoe_shape(segment, grid, width);
+      if (met.insert(shape).second) shapes.push_back(shape);
+    }
+  }
+  return shapes;
+}
+
+LawsByShape build_laws(const Segment& segment, const HorseshoeLaws& known) {
+  LawsByShape laws;
+  for (const auto& law : known) laws.emplace(law->shape(), law);
+  std::vector<HorseshoeShape> missing = horseshoe_shapes(segment);
+  std::erase_if(missing, [&](const HorseshoeShape& shape) { return laws.contains(shape); });
+  try {
+    for (const auto& law : horseshoe_laws(missing)) laws.emplace(law->shape(), law);
+  } catch (const HorseshoeOutOfScope& reason) {
+    throw UnsupportedDesign(std::string("a horseshoe strand cannot be predicted: ") +
+                            reason.what());
+  }
+  return laws;
+}
+
+}  // namespace latticast

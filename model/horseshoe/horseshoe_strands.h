@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The horseshoe laws of a segment's strands, and the moduli that its materials enter with.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "design/design.h"
+#include "design/unsupported_design.h"
+#include "model/horseshoe/horseshoe_law.h"
+
+namespace latticast {
+
+/// Shear modulus at rest in MPa of a rubber. Throws UnsupportedDesign for a linear law.
+double rest_shear_modulus(const Law& law);
+
+/// E of the lattice in MPa. Throws UnsupportedDesign when its material is not linear.
+double strand_modulus_mpa(const Lattice& lattice);
+
+/// One strand's arc. Precondition: the grid has horseshoes.
+HorseshoeShape horseshoe_shape(const Segment& segment, const Grid& grid, double width_mm);
+
+/// The distinct shapes of a segment's horseshoe strands; none without a lattice.
+std::vector<HorseshoeShape> horseshoe_shapes(const Segment& segment);
+
+/// Laws, found by their shapes.
+using LawsByShape =
+    std::map<HorseshoeShape, std::shared_ptr<const HorseshoeLaw>, HorseshoeShapeOrder>;
+
+/// `known` laws and those that the segment's strands need besides, built side by side. Throws
+/// UnsupportedDesign for a shape outside of the law's scope.
+LawsByShape build_laws(const Segment& segment, const HorseshoeLaws& known);
+
+}  // namespace latticast

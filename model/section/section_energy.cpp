@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <variant>
+
+#include "model/section/section.h"
+
+namespace latticast {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Stretch measures that all energies share, free of differences of nearly equal numbers.
+template <class Number>
+struct Kinematics {
+  Number axial;        ///< lambda^2 - 1
+  Number axial_ratio;  ///< 1 - 1/lambda
+  Number inner;        ///< a^2 - R_i^2
+  Number elongation;
+  Number twist;
+  Number bend_1;
+  Number bend_2;
+  double inner_radius;
+
+  /// (r/R)^2 - 1 at reference radius R.
+  Number hoop(double radius) const {
+    const double outside = (radius - inner_radius) * (radius + inner_radius);
+    return (inner - outside * axial_ratio) * (1 / (radius * radius));
+  }
+};
+
+template <class Number>
+Number stretch_minus_1(const Number& square_minus_1) {
+  using std::sqrt;
+  return square_minus_1 / (sqrt(square_minus_1 + 1.0) + 1.0);
+}
+
+/// What is the same all around the tube at one reference radius. A straight tube is written apart
+/// by `bent`: it is by far the most frequent, and needs half of the work.
+template <bool bent, class Number>
+struct AtRadius {
+  double radius;
+  Number hoop;                            ///< (r/R)^2 - 1
+  Number hoop_strain;                     ///< r/R - 1
+  std::array<Number, bent ? 2 : 0> lift;  ///< r kappa: what Lambda gains along either axis
+
+  AtRadius(const Kinematics<Number>& q, double reference_radius)
+      : radius(reference_radius),
+        hoop(q.hoop(reference_radius)),
+        hoop_strain(stretch_minus_1(hoop)) {
+    if constexpr (bent) {
+      const Number current = (hoop_strain + 1.0) * radius;
+      lift = {current * q.bend_1, current * q.bend_2};
+    }
+  }
+
+  /// Lambda - 1 in a direction of the section.
+  Number elongation(const Kinematics<Number>& q, double cosine, double sine) const {
+    if constexpr (bent) return q.elongation + lift[0] * cosine + lift[1] * sine;
+    return q.elongation;
+  }
+};
+
+template <class Number>
+Kinematics<Number> kinematics(const Section& section, const std::array<Number, 5>& q) {
+  return {q[0] * (q[0] + 2.0),
+          q[0] / (q[0] + 1.0),
+          q[2] * (q[2] + 2 * section.inner_radius_mm),
+          q[0],
+          q[1],
+          q[3],
+          q[4],
+          section.inner_radius_mm};
+}
+
+/// I1 - 3 = b + c + 1/(b c) - 3 + (k r)^2 with b = 1 + hoop, c = 1 + axial, brought to a form whose
+/// every term is of second order in the strains.
+template <class Number>
+Number first_invariant_minus_3(const Number& x, const Number& y, const Number& shear) {
+  const Number xy = x * y;
+  const Number sum = x + y;
+  return (sum * sum - xy + sum * xy) / (sum + xy + 1.0) + shear * shear * (x + 1.0);
+}
+
+template <class Number>
+Number energy_density(const NeoHookean& law, const Number& j) {
+  return j * (0.5 * law.shear_modulus_mpa);
+}
+
+template <class Number>
+Number energy_density(const Yeoh& law, const Number& j) {
+  return j * (j * (j * law.c3_mpa + law.c2_mpa) + law.c1_mpa);
+}
+
+template <class Number>
+Number energy_density(const Gent& law, const Number& j) {
+  return log1p(j * (-1 / law.limit_jm)) * (-0.5 * law.shear_modulus_mpa * law.limit_jm);
+}
+
+template <class Number>
+Number energy_density(const Linear&, const Number&) {
+  return Number(0);  // prepare_section lets no such liner through
+}
+
+/// The liner law decides once, outside the loop over points.
+template <bool bent, class Number>
+Number liner_energy(const Section& section, const Quadrature& quadrature,
+                    const Kinematics<Number>& q) {
+  return std::visit(
+      [&](const auto& law) {
+        Number sum(0);
+        for (const auto& [radius, weight] : quadrature.liner) {
+          const double share = weight * section.isotropic_fraction;
+          const Number shear = q.twist * radius;
+          if constexpr (bent) {
+            const AtRadius<bent, Number> at(q, radius);
+            for (const Direction& direction : quadrature.around) {
+              const Number e = at.elongation(q, direction.cosine, direction.sine);
+              const Number j = first_invariant_minus_3(at.hoop, e * (e + 2.0), shear);
+              sum += energy_density(law, j) * (share * direction.weight);
+            }
+          } else {
+            const Number j = first_invariant_minus_3(q.hoop(radius), q.axial, shear);
+            sum += energy_density(law, j) * share;
+          }
+        }
+        return sum;
+      },
+      section.liner_law);
+}
+
+/// |F A|^2 - 1 of a strand of this family where Lambda - 1 is `elongation`. With A = (c, s) around
+/// and along the tube, F A = (r/R) (c + k R s) e_theta + Lambda s e_z.
+template <bool bent, class Number>
+Number square_stretch_minus_1(const StrandFamily& family, const Kinematics<Number>& q,
+                              const AtRadius<bent, Number>& at, const Number& axial) {
+  const double c = family.cosine;
+  const double s = family.sine;
+  const Number shear = q.twist * (at.radius * s);
+  return at.hoop * square(shear + c) + shear * (shear + 2 * c) + axial * (s * s);
+}
+
+/// E/2 (s - 1)^2 + k/2 theta_t^2 of straight strands with the given moduli.
+template <bool bent, class Number>
+Number strand_energy_density(const StrandFamily& family, double stretch_modulus,
+                             double joint_modulus, const Kinematics<Number>& q,
+                             const AtRadius<bent, Number>& at, const Number& elongation,
+                             const Number& axial) {
+  const Number strain = stretch_minus_1(square_stretch_minus_1(family, q, at, axial));
+  Number energy = square(strain) * (0.5 * stretch_modulus);
+  if (joint_modulus > 0) {
+    const double c = family.cosine;
+    const double s = family.sine;
+    const Number shear = q.twist * (at.radius * s);
+    const Number hoop_stretch = at.hoop_strain + 1.0;
+    const Number cross = ((elongation - at.hoop_strain) * c - hoop_stretch * shear) * s;
+    const Number dot = hoop_stretch * (shear + c) * c + (elongation + 1.0) * (s * s);
+    energy += square(atan2(cross, dot)) * (0.5 * joint_modulus);
+  }
+  return energy;
+}
+
+template <bool bent, class Number>
+Number family_energy_density(const StrandFamily& family, const Quadrature& quadrature,
+                             const Kinematics<Number>& q, const AtRadius<bent, Number>& at) {
+  if constexpr (!bent) {
+    return strand_energy_density(family, family.stretch_modulus_mpa, family.joint_modulus_mpa, q,
+                                 at, q.elongation, q.axial);
+  }
+  Number sum(0);
+  const auto add = [&](double cosine, double sine, double stretch_modulus, double joint_modulus) {
+    const Number e = at.elongation(q, cosine, sine);
+    sum += strand_energy_density(family, stretch_modulus, joint_modulus, q, at, e, e * (e + 2.0));
+  };
+  if (family.averaged || quadrature.average_strands) {
+    for (const Direction& d : quadrature.around) {
+      add(d.cosine, d.sine, family.stretch_modulus_mpa * d.weight,
+          family.joint_modulus_mpa * d.weight);
+    }
+  } else {
+    for (const StrandPlace& strand : family.strands) {
+      add(strand.cosine, strand.sine, strand.stretch_modulus_mpa, strand.joint_modulus_mpa);
+    }
+  }
+  return sum;
+}
+
+template <bool bent, class Number>
+Number lattice_energy(const Section& section, const Quadrature& quadrature,
+                      const Kinematics<Number>& q) {
+  Number sum(0);
+  for (const auto& [radius, weight] : quadrature.lattice) {
+    const AtRadius<bent, Number> at(q, radius);
+    Number density = square(at.hoop_strain) * (0.5 * section.ring_modulus_mpa);
+    for (const StrandFamily& family : section.families) {
+      if (family.arcs_per_mm > 0) continue;
+      density += family_energy_density(family, quadrature, q, at);
+    }
+    sum += density * weight;
+  }
+  return sum;
+}
+
+/// Visits the places of a horseshoe family: law, direction, and how many strands are there.
+template <bool bent, class Visit>
+void for_each_place(const StrandFamily& family, const Quadrature& quadrature, const Visit& visit) {
+  const auto count = static_cast<double>(family.strands.size());
+  if (!bent) {
+    // Direction does not matter: strands of one law, successive ones, are taken together.
+    for (auto first = family.strands.begin(); first != family.strands.end();) {
+      const auto last = std::find_if(first, family.strands.end(), [&](const StrandPlace& strand) {
+        return strand.law != first->law;
+      });
+      visit(*first->law, Direction{1, 0, static_cast<double>(last - first)});
+      first = last;
+    }
+  } else if (family.averaged || quadrature.average_strands) {
+    for (const Direction& d : quadrature.around) {
+      visit(*family.strands.front().law, Direction{d.cosine, d.sine, d.weight * count});
+    }
+  } else {
+    for (const StrandPlace& strand : family.strands) {
+      visit(*strand.law, Direction{strand.cosine, strand.sine, 1});
+    }
+  }
+}
+
+double mid_radius_mm(const Section& section) {
+  return 0.5 * (section.liner_outer_radius_mm + section.outer_radius_mm);
+}
+
+/// Empty when a horseshoe leaves its law's range. The law's force is d energy/d chord.
+template <bool bent, class Number>
+std::optional<Number> horseshoe_energy(const Section& section, const Quadrature& quadrature,
+                                       const Kinematics<Number>& q) {
+  Number sum(0);
+  bool possible = true;
+  for (const StrandFamily& family : section.families) {
+    if (family.arcs_per_mm == 0) continue;
+    const AtRadius<bent, Number> at(q, mid_radius_mm(section));
+    for_each_place<bent>(family, quadrature, [&](const HorseshoeLaw& law, const Direction& place) {
+      const Number e = at.elongation(q, place.cosine, place.sine);
+      const Number strain = stretch_minus_1(square_stretch_minus_1(family, q, at, e * (e + 2.0)));
+      const auto arc = law.at(strain.value);
+      if (!arc) {
+        possible = false;
+        return;
+      }
+      const double chord = rest_chord_mm(law.shape());
+      sum += chain(strain, arc->energy_nmm, arc->force_n * chord, arc->slope_n * chord) *
+             (family.arcs_per_mm * place.weight);
+    });
+  }
+  if (!possible) return std::nullopt;
+  return sum;
+}
+
+bool bends(const Deformation& at) {
+  return at.bend_1 != 0 || at.bend_2 != 0;
+}
+
+bool possible(const Section& section, const Deformation& at) {
+  if (!std::isfinite(at.elongation) || !std::isfinite(at.twist) ||
+      !std::isfinite(at.inner_growth) || !std::isfinite(at.bend_1) || !std::isfinite(at.bend_2)) {
+    return false;
+  }
+  if (!(at.elongation > -1) || !(at.inner_growth > -section.inner_radius_mm)) return false;
+  if (bends(at)) {
+    const double lift = std::hypot(at.bend_1, at.bend_2) *
+                        current_radius_mm(section.inner_radius_mm, section.outer_radius_mm, at);
+    if (!(1 + at.elongation - lift > 0)) return false;
+  }
+  return stretch_limit_used(section, at) < 1;
+}
+
+std::array<double, 5> numbers(const Deformation& at) {
+  return {at.elongation, at.twist, at.inner_growth, at.bend_1, at.bend_2};
+}
+
+// Flattened, since the compiler stops inlining when so many versions of one formula stand side by
+// side, and then takes 1.6 times as long.
+template <bool bent, std::size_t N>
+[[gnu::flatten]] std::optional<SectionEnergy> energy_with(const Section& section,
+                                                          const Quadrature& quadrature,
+                                                          const Deformation& at,
+                                                          std::span<const int> active) {
+  const std::array<double, 5> values = numbers(at);
+  std::array<Dual<N>, 5> variables;
+  for (std::size_t i = 0; i < values.size(); ++i) variables[i] = Dual<N>(values[i]);
+  for (std::size_t i = 0; i < N; ++i) {
+    variables[active[i]] = Dual<N>::variable(i, values[active[i]]);
+  }
+  const auto q = kinematics(section, variables);
+  const auto horseshoes = horseshoe_energy<bent>(section, quadrature, q);
+  if (!horseshoes) return std::nullopt;
+  const Dual<N> sum = liner_energy<bent>(section, quadrature, q) +
+                      lattice_energy<bent>(section, quadrature, q) + *horseshoes;
+  SectionEnergy energy(sum.value);
+  for (std::size_t i = 0; i < N; ++i) {
+    energy.gradient[active[i]] = sum.gradient[i];
+    for (std::size_t j = i; j < N; ++j) energy.set_second(active[i], active[j], sum.second(i, j));
+  }
+  return energy;
+}
+
+}  // namespace
+
+std::optional<SectionEnergy> stored_energy(const Section& section, const Quadrature& quadrature,
+                                           const Deformation& at, std::span<const int> active) {
+  if (!possible(section, at)) return std::nullopt;
+  const bool bent = bends(at) || std::any_of(active.begin(), active.end(),
+                                             [](int i) { return i >= coordinate::bend_1; });
+  switch (active.size()) {
+    case 1:
+      return bent ? energy_with<true, 1>(section, quadrature, at, active)
+                  : energy_with<false, 1>(section, quadrature, at, active);
+    case 2:
+      return bent ? energy_with<true, 2>(section, quadrature, at, active)
+                  : energy_with<false, 2>(section, quadrature, at, active);
+    case 3:
+      return bent ? energy_with<true, 3>(section, quadrature, at, active)
+                  : energy_with<false, 3>(section, quadrature, at, active);
+    case 4:
+      return energy_with<true, 4>(section, quadrature, at, active);
+    default:
+      return energy_with<true, 5>(section, quadrature, at, active);
+  }
+}
+
+std::optional<SectionEnergy> stored_energy(const Section& section, const Quadrature& quadrature,
+                                           const Deformation& at) {
+  constexpr std::array<int, 5> all = {0, 1, 2, 3, 4};
+  return stored_energy(section, quadrature, at, all);
+}
+
+std::array<double, coordinate_count> law_error(const Section& section, const Quadrature& quadrature,
+                                               const Deformation& at) {
+  std::array<double, coordinate_count> error{};
+  const std::array<double, 5> values = numbers(at);
+  std::array<SectionEnergy, 5> variables;
+  for (std::size_t i = 0; i < 5; ++i) variables[i] = SectionEnergy::variable(i, values[i]);
+  const auto q = kinematics(section, variables);
+  for (const StrandFamily& family : section.families) {
+    if (family.arcs_per_mm == 0) continue;
+    const AtRadius<true, SectionEnergy> ring(q, mid_radius_mm(section));
+    for_each_place<true>(family, quadrature, [&](const HorseshoeLaw& law, const Direction& place) {
+      const SectionEnergy e = ring.elongation(q, place.cosine, place.sine);
+      const SectionEnergy strain =
+          stretch_minus_1(square_stretch_minus_1(family, q, ring, e * (e + 2.0)));
+      const HorseshoeState arc = law.at(strain.value).value_or(HorseshoeState{});
+      const double work = std::abs(arc.force_n) * arc.error * rest_chord_mm(law.shape());
+      for (int i = 0; i < coordinate_count; ++i) {
+        error[i] += family.arcs_per_mm * place.weight * work * std::abs(strain.gradient[i]);
+      }
+    });
+  }
+  return error;
+}
+
+SectionEnergy cavity_growth(const Section& section, const Deformation& at) {
+  const double radius = section.inner_radius_mm;
+  const double stretch = 1 + at.elongation;
+  const double bore = radius + at.inner_growth;
+  SectionEnergy growth(
+      pi * (at.inner_growth * (bore + radius) * stretch + at.elongation * radius * radius));
+  growth.gradient[coordinate::elongation] = pi * bore * bore;
+  growth.gradient[coordinate::inner_growth] = 2 * pi * bore * stretch;
+  growth.set_second(coordinate::elongation, coordinate::inner_growth, 2 * pi * bore);
+  growth.set_second(coordinate::inner_growth, coordinate::inner_growth, 2 * pi * stretch);
+  return growth;
+}
+
+double stretch_limit_used(const Section& section, const Deformation& at) {
+  const auto* gent = std::get_if<Gent>(&section.liner_law);
+  if (gent == nullptr) return 0;
+  const auto q = kinematics<double>(section, numbers(at));
+  const double bend = std::hypot(at.bend_1, at.bend_2);
+  double largest = 0;
+  for (const double radius : {section.isotropic_from_mm, section.isotropic_to_mm}) {
+    const double hoop = q.hoop(radius);
+    const double lift = bend * radius * std::sqrt(std::max(0.0, 1 + hoop));
+    for (const double e : {at.elongation - lift, at.elongation + lift}) {
+      largest = std::max(largest, first_invariant_minus_3(hoop, e * (e + 2), at.twist * radius));
+    }
+  }
+  return largest / gent->limit_jm;
+}
+
+std::optional<HorseshoeStrain> most_strained_horseshoe(const Section& section,
+                                                       const Deformation& at) {
+  const bool any = std::any_of(section.families.begin(), section.families.end(),
+                               [](const StrandFamily& family) { return family.arcs_per_mm > 0; });
+  if (!any || !possible(section, at)) return std::nullopt;
+  const double radius = mid_radius_mm(section);
+  const double current = current_radius_mm(section.inner_radius_mm, radius, at);
+  std::optional<HorseshoeStrain> worst;
+  double least_room = std::numeric_limits<double>::infinity();
+  for (const StrandFamily& family : section.families) {
+    if (family.arcs_per_mm == 0) continue;
+    for (const StrandPlace& strand : family.strands) {
+      const double axial =
+          1 + at.elongation + current * (at.bend_1 * strand.cosine + at.bend_2 * strand.sine);
+      const double around = current / radius * (family.cosine + at.twist * radius * family.sine);
+      const double strain = std::hypot(around, axial * family.sine) - 1;
+      const StrainRange& range = strand.law->range();
+      const double room = std::min((strain - range.lowest) / -range.lowest,
+                                   (range.highest - strain) / range.highest);
+      if (room < least_room) {
+        least_room = room;
+        worst = HorseshoeStrain{strain, range};
+      }
+    }
+  }
+  return worst;
+}
+
+double current_radius_mm(double inner_radius_mm, double reference_radius_mm,
+                         const Deformation& at) {
+  const double inner = inner_radius_mm + at.inner_growth;
+  const double outside =
+      (reference_radius_mm - inner_radius_mm) * (reference_radius_mm + inner_radius_mm);
+  return std::sqrt(inner * inner + outside / (1 + at.elongation));
+}
+
+}  // namespace latticast

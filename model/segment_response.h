@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a segment answers to pressure: equilibrium states followed from rest, how good each one is,
+// and where the branch ends (MODEL.md section 1).
+#pragma once
+
+#include <span>
+#include <variant>
+
+#include "design/design.h"
+#include "model/effective_rods/rods.h"
+#include "model/equilibrium/response.h"
+#include "model/section/section.h"
+
+namespace latticast {
+
+/// A segment with everything that does not depend on pressure: its symmetry settled, its horseshoe
+/// laws built. Immutable: any number of predictions, on any number of threads, may share it.
+struct PreparedSegment {
+  double length_mm = 0;
+  std::variant<Section, Rods> section;
+};
+
+/// Prepares a segment under the chosen column model, reusing `known` laws where they fit. Throws
+/// UnsupportedDesign as prepare_section and prepare_rods do.
+PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model,
+                                const HorseshoeLaws& known = {});
+
+/// The laws that a prepared segment uses.
+HorseshoeLaws laws_of(const PreparedSegment& segment);
+
+/// Follows the equilibrium from the rest state to every requested pressure (kPa; any order,
+/// duplicates, zero and suction allowed) and never jumps to another branch: a step counts only if
+/// its correction is small against it. A pressure beyond a limit point has no state; the others are
+/// still given. With effective rods the equilibrium is unique
+/// (model/effective_rods/rods.h). Equations: dPi/dq = 0 with Pi = stored energy - P pi (a^2 lambda
+/// - R_i^2), closed ends. Throws std::invalid_argument for a pressure that is not finite,
+/// std::runtime_error when the solver library cannot be set up.
+Response predict(const PreparedSegment& segment, std::span<const double> pressures_kpa,
+                 Held held = {}, const SolverOptions& options = {});
+
+/// Prepares the segment and predicts.
+Response predict(const Segment& segment, const ModelChoice& model,
+                 std::span<const double> pressures_kpa, Held held = {},
+                 const SolverOptions& options = {});
+
+}  // namespace latticast
