@@ -7,10 +7,10 @@
 
 #include <fmt/core.h>
 
+#include "design/units.h"
+
 namespace latticast {
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr int line_steps = 20;
 
 std::vector<std::string> case_columns(std::size_t segments) {
@@ -53,8 +53,8 @@ NumberRows tip_rows(const ChainResponse& chain, std::span<const Segment> segment
     append(row, {place[0], place[1], place[2]});
     append(row, {rotation[0][2], rotation[1][2], rotation[2][2]});
     append(row, {rotation[0][0], rotation[1][0], rotation[2][0]});
-    append(row, {tilt_rad(rotation) * degrees, shape.end_rotation_rad() * degrees,
-                 shape.length_mm(), all_stable(*states) ? 1.0 : 0.0});
+    append(row, {degrees(tilt_rad(rotation)), degrees(shape.end_rotation_rad()), shape.length_mm(),
+                 all_stable(*states) ? 1.0 : 0.0});
     result.rows.push_back(std::move(row));
   }
   return result;

@@ -8,10 +8,10 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "design/units.h"
+
 namespace latticast {
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
 
 double moment_nmm(const State& state) {
   return std::hypot(state.moment_nmm[0], state.moment_nmm[1]);
@@ -53,7 +53,7 @@ std::string table_row(const SegmentPrediction& result, std::size_t i, const Segm
                   turn(*state), state->inner_radius_mm, state->outer_radius_mm);
   if (bends(result.response)) {
     row += fmt::format(" {:9.3f} {:7.2f}", bend_deg(*state, segment),
-                       state->bend_direction_rad() * degrees);
+                       degrees(state->bend_direction_rad()));
     if (held.bend) row += fmt::format(" {:11.3f}", moment_nmm(*state));
   }
   if (held.twist) row += fmt::format(" {:11.3f}", state->torque_nmm);
@@ -73,7 +73,7 @@ nlohmann::ordered_json to_json(const State& state, const Segment& segment) {
           {"twist_deg", twist_deg(state, segment)},
           {"twist_per_length_rad_per_mm", state.twist_rad_per_mm / state.stretch},
           {"bend_deg", bend_deg(state, segment)},
-          {"bend_direction_deg", state.bend_direction_rad() * degrees},
+          {"bend_direction_deg", degrees(state.bend_direction_rad())},
           {"kappa_rad_per_mm", state.bend_rad_per_mm},
           {"frame_turn_rad_per_mm", state.frame_turn_rad_per_mm},
           {"inner_radius_mm", state.inner_radius_mm},
@@ -131,7 +131,7 @@ nlohmann::ordered_json to_json(const SegmentPrediction& result, const Segment& s
   for (const auto& law : result.response.laws) {
     const HorseshoeShape& shape = law->shape();
     json["horseshoe_laws"].push_back({{"radius_mm", shape.radius_mm},
-                                      {"arc_deg", shape.arc_rad * degrees},
+                                      {"arc_deg", degrees(shape.arc_rad)},
                                       {"width_mm", shape.width_mm},
                                       {"thickness_mm", shape.thickness_mm},
                                       {"youngs_modulus_MPa", shape.youngs_modulus_mpa},
@@ -188,7 +188,7 @@ std::string prediction_csv(const Design& design, const Prediction& prediction, H
           "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{:.1f}", s + 1, state->pressure_kpa,
           state->stretch, twist_deg(*state, design.segments[s]),
           state->twist_rad_per_mm / state->stretch, bend_deg(*state, design.segments[s]),
-          state->bend_direction_rad() * degrees, state->inner_radius_mm, state->outer_radius_mm,
+          degrees(state->bend_direction_rad()), state->inner_radius_mm, state->outer_radius_mm,
           state->torque_nmm, moment_nmm(*state), state->stable ? 1 : 0, state->residual,
           state->error_estimate, state->time_us);
       text += held.stretch ? fmt::format(",{}\n", state->force_n) : "\n";

@@ -3,13 +3,13 @@
 
 #include <numbers>
 
+#include "design/units.h"
 #include "model/prediction.h"
 #include "model/tip_force.h"
 
 namespace latticast {
 
 TipForceAnswer predict_tip_forces(const Design& design, const std::vector<double>& pressures_kpa) {
-  constexpr double degrees = 180 / std::numbers::pi;
   TipForceAnswer answer;
   answer.numbers.columns = {"segment",      "pressure_kPa",    "force_N",
                             "tip_turn_deg", "base_moment_Nmm", "tip_height_mm"};
@@ -19,7 +19,7 @@ TipForceAnswer predict_tip_forces(const Design& design, const std::vector<double
       const auto force = blocked_tip_force(segment, pressure);
       if (force) {
         answer.numbers.rows.push_back({static_cast<double>(s + 1), pressure, force->force_n,
-                                       force->tip_turn_rad * degrees, force->base_moment_nmm,
+                                       degrees(force->tip_turn_rad), force->base_moment_nmm,
                                        force->tip_height_mm});
       } else {
         answer.complete = false;

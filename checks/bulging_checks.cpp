@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "design/units.h"
 #include "geometry/pattern/rings.h"
 #include "model/bulging.h"
 #include "model/horseshoe/horseshoe_strands.h"
@@ -63,13 +64,13 @@ bool add_ballooning(const LoadedSegment& loaded, Bulges& bulges, std::size_t kin
   const Bulge& bulge = bulges.at_kpa(beyond->worst_kpa, kind);
   measure.part = "liner between " + bulge.members;
   CheckFinding finding = finding_of(loaded, measure, *beyond);
-  finding.value = 1000 * bulge.load_mpa;
-  finding.limit = 1000 * bulge.largest_load_mpa / margin;
+  finding.value = kpa_from_mpa(bulge.load_mpa);
+  finding.limit = kpa_from_mpa(bulge.largest_load_mpa) / margin;
   finding.message = fmt::format(
       "{} through the gaps from {:.3g} kPa on: at {:.4g} kPa they are {:.3g} mm wide, the lattice "
       "beside them holds {:.3g} kPa, and the wall in them balloons at {:.3g} kPa",
       margin > 1 ? "is near ballooning" : "balloons", beyond->from_kpa, beyond->worst_kpa,
-      bulge.gap_mm, *finding.value, 1000 * bulge.largest_load_mpa);
+      bulge.gap_mm, *finding.value, kpa_from_mpa(bulge.largest_load_mpa));
   finding.remedy = remedy(*beyond, bulge.members);
   findings.push_back(std::move(finding));
   return true;
@@ -118,7 +119,7 @@ bool strands_hold_the_tube(const Segment& segment, double shear_modulus_mpa) {
   double held = 0;
   for (const Grid& grid : lattice.grids) {
     if (grid.horseshoe) continue;
-    const double angle = grid.angle_deg * pi / 180;
+    const double angle = grid.angle_rad();
     double width = 0;
     for (const double w : grid.widths_mm) width += w;
     const double fraction = width / (2 * pi * radius * std::sin(angle));

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "checks/strand_stations.h"
+#include "design/units.h"
 #include "geometry/pattern/horseshoe_path.h"
 #include "geometry/pattern/rings.h"
 #include "model/shape/inflated_wall.h"
@@ -37,7 +38,7 @@ double width_of_pair_mm(const Grid& grid, int strand) {
 }
 
 double straight_gap_mm(const Segment& segment, const Grid& grid, const State& state) {
-  const double angle = grid.angle_deg * pi / 180;
+  const double angle = grid.angle_rad();
   double least = HUGE_VAL;
   for (const StrandStation& station : strand_stations(segment, grid, state)) {
     const WallStretch at =
@@ -51,7 +52,7 @@ double straight_gap_mm(const Segment& segment, const Grid& grid, const State& st
 /// The circular arc of the same length whose chord is `stretch` times as long; fully stretched arcs
 /// are kept a little round.
 Horseshoe bent_arc(const Horseshoe& rest, double stretch) {
-  const double half = 0.5 * rest.arc_deg * pi / 180;
+  const double half = 0.5 * radians(rest.arc_deg);
   const double ratio = std::min(0.999, stretch * std::sin(half) / half);  // chord over arc
   double low = 0;
   double high = pi;
@@ -61,7 +62,7 @@ Horseshoe bent_arc(const Horseshoe& rest, double stretch) {
   }
   Horseshoe arc = rest;
   arc.radius_mm = rest.radius_mm * half / low;
-  arc.arc_deg = 2 * low * 180 / pi;
+  arc.arc_deg = degrees(2 * low);
   return arc;
 }
 
@@ -78,14 +79,14 @@ double gap_in_column_mm(const Horseshoe& arc, double width_mm) {
 
 /// Between neighbouring columns, and within one, whichever is less.
 double horseshoe_gap_mm(const Segment& segment, const Grid& grid, const State& state) {
-  const double angle = grid.angle_deg * pi / 180;
+  const double angle = grid.angle_rad();
   double least = HUGE_VAL;
   for (const StrandStation& station : strand_stations(segment, grid, state)) {
     const WallStretch at =
         wall_stretch(segment, state, segment.lattice_mid_radius_mm(), station.theta_rad);
     HorseshoeColumn column;
     column.shape = bent_arc(*grid.horseshoe, at.along(angle));
-    column.angle_deg = at.turned_rad(angle) * 180 / pi;
+    column.angle_deg = degrees(at.turned_rad(angle));
     column.width_mm = station.width_mm;
     column.length_mm = at.axial * segment.length_mm;
     const double spacing = 2 * pi * at.radius_mm / grid.count();

@@ -14,13 +14,12 @@
 #include "checks/lattice_use.h"
 #include "checks/plane_checks.h"
 #include "checks/strand_checks.h"
+#include "design/units.h"
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/solid/arrangement.h"
 
 namespace latticast {
 namespace {
-
-constexpr double radians = std::numbers::pi / 180;
 
 void append(CheckFindings& findings, CheckFindings more) {
   std::move(more.begin(), more.end(), std::back_inserter(findings));
@@ -181,7 +180,7 @@ double least_slope_deg(const Segment& segment, const Grid& grid) {
   const double slope = std::max(0.0, 90 - std::abs(grid.angle_deg - 90) - turned);
   if (slope == 0 || slope == 90) return slope;
   const double stretch = segment.outer_radius_mm() / segment.lattice_mid_radius_mm();
-  return std::atan(std::tan(slope * radians) / stretch) / radians;
+  return degrees(std::atan(std::tan(radians(slope)) / stretch));
 }
 
 CheckFindings print_checks(const Design& design) {

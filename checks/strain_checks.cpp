@@ -23,7 +23,7 @@ constexpr double largest_gent_use = 0.9;  // from here its stress grows more tha
 constexpr double largest_lock_use = 0.95;
 
 double straight_strain(const Segment& segment, const Grid& grid, const State& state) {
-  const double angle = grid.angle_deg * pi / 180;
+  const double angle = grid.angle_rad();
   double largest = 0;
   for (const StrandStation& station : strand_stations(segment, grid, state)) {
     for (const double radius : {segment.liner_outer_radius_mm(), segment.outer_radius_mm()}) {
@@ -36,7 +36,7 @@ double straight_strain(const Segment& segment, const Grid& grid, const State& st
 
 double chord_strain(const Segment& segment, const Grid& grid, const State& state,
                     const StrandStation& station) {
-  const double angle = grid.angle_deg * pi / 180;
+  const double angle = grid.angle_rad();
   return wall_stretch(segment, state, segment.lattice_mid_radius_mm(), station.theta_rad)
              .along(angle) -
          1;
@@ -172,7 +172,7 @@ std::optional<Measure> lock_use(const Segment& segment, std::size_t index) {
     return measure;
   }
   if (grid.angle_deg == 90) return std::nullopt;  // nothing to lock: never free
-  const double free_way = 1 / std::sin(grid.angle_deg * pi / 180) - 1;
+  const double free_way = 1 / std::sin(grid.angle_rad()) - 1;
   measure.value = [free_way](const State& state) { return (state.stretch - 1) / free_way; };
   return measure;
 }

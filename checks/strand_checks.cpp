@@ -7,13 +7,12 @@
 
 #include <fmt/core.h>
 
+#include "design/units.h"
 #include "geometry/pattern/horseshoe_path.h"
 #include "geometry/pattern/rings.h"
 
 namespace latticast {
 namespace {
-
-constexpr double radians = std::numbers::pi / 180;
 
 // Remedies are written with this many decimals, to the safe side.
 double rounded_up(double length_mm) {
@@ -35,7 +34,7 @@ double shrunk(const Segment& segment) {
 // Between the centre lines of neighbouring strands, square to them, of a family of `count`.
 double centre_distance(const Segment& segment, const Grid& grid, int count) {
   const double spacing = around_tube_mm(segment) / count;
-  if (!grid.horseshoe) return spacing * std::sin(grid.angle_deg * radians);
+  if (!grid.horseshoe) return spacing * std::sin(grid.angle_rad());
   HorseshoeColumn column{*grid.horseshoe, 0, grid.angle_deg, 0, segment.length_mm};
   column.shape.radius_mm = closing_radius_mm(column);
   return centre_distance_mm(column, spacing);
@@ -222,7 +221,7 @@ class StrandChecks {
 double width_at_radius_mm(const Segment& segment, double angle_deg, double width_mm,
                           double radius_mm) {
   const double stretch = radius_mm / segment.lattice_mid_radius_mm();
-  const double angle = angle_deg * radians;
+  const double angle = radians(angle_deg);
   return width_mm * stretch / std::hypot(stretch * std::cos(angle), std::sin(angle));
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 bool winds_with_bending(const Segment& segment, const Grid& grid, const State& state) {
-  const double angle = grid.angle_deg * pi / 180;
+  const double angle = grid.angle_rad();
   const double turn = grid.angle_deg == 90
                           ? 0
                           : std::cos(angle) / std::sin(angle) / segment.lattice_mid_radius_mm();

@@ -9,6 +9,8 @@
 
 #include <fmt/core.h>
 
+#include "design/units.h"
+
 namespace latticast {
 namespace {
 
@@ -44,11 +46,10 @@ struct Quantity {
 };
 
 std::array<Quantity, 3> quantities(const Segment& segment, const State& state) {
-  constexpr double degree = std::numbers::pi / 180;
   return {Quantity{"elongation", "%", 100 * (state.stretch - 1)},
-          Quantity{"twist", "degrees", state.twist_rad_per_mm * segment.length_mm / degree},
+          Quantity{"twist", "degrees", degrees(state.twist_rad_per_mm * segment.length_mm)},
           Quantity{"bending", "degrees",
-                   state.bend_magnitude_rad_per_mm() * segment.length_mm / degree}};
+                   degrees(state.bend_magnitude_rad_per_mm() * segment.length_mm)}};
 }
 
 struct Band {

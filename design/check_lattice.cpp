@@ -7,12 +7,10 @@
 
 #include <fmt/format.h>
 
+#include "design/units.h"
+
 namespace latticast {
 namespace {
-
-double radians(double degrees) {
-  return degrees * std::numbers::pi / 180;
-}
 
 double circumference_mm(const Segment& segment) {
   return 2 * std::numbers::pi * segment.lattice_mid_radius_mm();

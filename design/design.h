@@ -4,11 +4,13 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "design/material/material.h"
+#include "design/units.h"
 
 namespace latticast {
 
@@ -35,6 +37,12 @@ struct Horseshoe {
   bool alternate = true;  ///< successive arcs curve to opposite sides
 };
 
+/// Unit vector along a straight line of the unrolled plane: u runs around the tube, z along it.
+struct StrandDirection {
+  double cosine = 0;  ///< along u
+  double sine = 1;    ///< along z
+};
+
 /// One family of equal-angle strands, evenly spaced around the tube; strand 0 starts at Theta = 0.
 struct Grid {
   double angle_deg = 0;           ///< from the circumferential direction, 0 < angle < 180
@@ -42,6 +50,11 @@ struct Grid {
   std::optional<Horseshoe> horseshoe;
 
   int count() const { return static_cast<int>(widths_mm.size()); }
+  double angle_rad() const { return radians(angle_deg); }
+
+  /// Mirrored angles, alpha and 180 degrees - alpha, have exactly mirrored directions; that of 90
+  /// degrees is exactly (0, 1).
+  StrandDirection direction() const;
 };
 
 /// The reinforcing layer bonded outside the liner.
@@ -68,6 +81,8 @@ struct Segment {
   double lattice_mid_radius_mm() const {
     return liner_outer_radius_mm() + 0.5 * lattice->thickness_mm;
   }
+  /// 2 pi R_c, the period of the unrolled plane. Precondition: the segment has a lattice.
+  double lattice_circumference_mm() const { return 2 * std::numbers::pi * lattice_mid_radius_mm(); }
 };
 
 /// One pressure per segment.

@@ -9,6 +9,7 @@
 #include <optional>
 #include <variant>
 
+#include "design/units.h"
 #include "geometry/pattern/rings.h"
 #include "model/section/section.h"
 #include "model/shape/inflated_wall.h"
@@ -104,7 +105,7 @@ class RoundWall {
         rest_{outside.axial - 1, state.twist_rad_per_mm,
               state.inner_radius_mm - wall_.inner_radius_mm, 0, 0},
         outer_mm_(current_radius_mm(wall_.inner_radius_mm, wall_.liner_outer_radius_mm, rest_)),
-        pressure_mpa_(state.pressure_kpa / 1000),
+        pressure_mpa_(mpa_from_kpa(state.pressure_kpa)),
         force_n_(state.force_n),
         alone_(alone) {}
 
@@ -269,7 +270,7 @@ WallPatch wall_patch(const Place& place, const RoundWall& wall, double span_mm, 
 /// All that the wall carries along the tube: pressure on the closed ends, and the mounting's pull.
 double end_tension_n_per_mm(const Segment& segment, const State& state) {
   const double bore = state.inner_radius_mm;
-  const double pull = state.pressure_kpa / 1000 * pi * bore * bore + state.force_n;
+  const double pull = mpa_from_kpa(state.pressure_kpa) * pi * bore * bore + state.force_n;
   const double outer = wall_stretch(segment, state, segment.liner_outer_radius_mm(), 0).radius_mm;
   return std::max(0.0, pull / (2 * pi * outer));
 }
@@ -291,7 +292,7 @@ Bulge between_rings(const Place& place, const PreparedSegment& prepared) {
   const Rings& rings = *segment.lattice->rings;
   const double pitch = ring_pitch_mm(rings, segment.length_mm);
   bulge.gap_mm = std::max(0.0, place.outside.axial * pitch - rings.width_mm);
-  const double pressure = place.state.pressure_kpa / 1000;
+  const double pressure = mpa_from_kpa(place.state.pressure_kpa);
   bulge.load_mpa = pressure - wall.borne_mpa(0);
   if (section) {
     Section alone = *section;
@@ -308,7 +309,7 @@ Bulge between_rings(const Place& place, const PreparedSegment& prepared) {
 
 Bulge between_strands(const Place& place, const Section& section, std::size_t grid) {
   const Grid& strands = place.segment.lattice->grids[grid];
-  const double angle = strands.angle_deg * pi / 180;
+  const double angle = strands.angle_rad();
   const RoundWall wall(rubber_alone(section), place.outside, place.state, false);
   Bulge bulge;
   bulge.members = "grid " + std::to_string(grid);

@@ -6,6 +6,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "design/units.h"
+
 namespace latticast {
 namespace {
 
@@ -17,16 +19,14 @@ std::optional<Response> predict_scaled(Segment segment, const ModelChoice& model
   return predict(segment, model, pressures, held);
 }
 
-constexpr double degrees = 180 / std::numbers::pi;
-
 }  // namespace
 
 double twist_deg(const State& state, const Segment& segment) {
-  return state.twist_rad_per_mm * segment.length_mm * degrees;
+  return degrees(state.twist_rad_per_mm * segment.length_mm);
 }
 
 double bend_deg(const State& state, const Segment& segment) {
-  return state.bend_magnitude_rad_per_mm() * segment.length_mm * degrees;
+  return degrees(state.bend_magnitude_rad_per_mm() * segment.length_mm);
 }
 
 bool Prediction::complete() const {

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "design/units.h"
 #include "model/effective_rods/rods_response.h"
 #include "model/equilibrium/branch.h"
 #include "model/equilibrium/turning_name.h"
@@ -16,15 +17,13 @@
 namespace latticast {
 namespace {
 
-constexpr double kpa_per_mpa = 1000;
-
 /// What a point of the branch says, without its error, effort and stability.
 State state_at(const Balance& balance, const BranchPoint& x, const BalanceAt& at, Held held) {
   const Section& section = balance.section();
   const Deformation q = balance.deformation(x);
   State state;
   const double pressure = balance.pressure_mpa(x);
-  state.pressure_kpa = pressure * kpa_per_mpa;
+  state.pressure_kpa = kpa_from_mpa(pressure);
   state.stretch = 1 + q.elongation;
   state.twist_rad_per_mm = q.twist;
   state.inner_radius_mm = section.inner_radius_mm + q.inner_growth;
@@ -135,7 +134,7 @@ class Prediction {
   void follow(std::span<const double> pressures_kpa, bool suction, Response& response) {
     branch_.restart();
     for (const std::size_t request : requests_of_sign(pressures_kpa, suction)) {
-      const Reached reached = branch_.advance_to(pressures_kpa[request] / kpa_per_mpa);
+      const Reached reached = branch_.advance_to(mpa_from_kpa(pressures_kpa[request]));
       if (reached == Reached::target) {
         response.states[request] = finished_state(pressures_kpa[request]);
       } else if (reached == Reached::lost) {
@@ -169,7 +168,7 @@ class Prediction {
 
   void report_loss(Response& response) const {
     response.status = Status::not_converged;
-    const double pressure = branch_.balance().pressure_mpa(branch_.here().x) * kpa_per_mpa;
+    const double pressure = kpa_from_mpa(branch_.balance().pressure_mpa(branch_.here().x));
     append(response.message, "the equilibrium could not be followed beyond " +
                                  pressure_text(pressure) +
                                  reason_of_loss(branch_.balance(), branch_.here()));

@@ -7,6 +7,8 @@
 
 #include <Eigen/Dense>
 
+#include "design/units.h"
+
 namespace latticast {
 namespace {
 
@@ -130,7 +132,7 @@ std::optional<TipForce> blocked_tip_force(const PreparedSegment& segment, double
   const Response response = predict(segment, std::array{pressure_kpa});
   const std::optional<State>& free = response.states[0];
   if (!free || !free->stable) return std::nullopt;
-  PlanarSection section(segment, *free, pressure_kpa / 1000);
+  PlanarSection section(segment, *free, mpa_from_kpa(pressure_kpa));
   const double length = segment.length_mm;
   const double bend = section.bend();
   if (std::abs(bend) * length < 1e-12) return TipForce{0, 0, 0, free->stretch * length};

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "design/units.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/fillet.h"
@@ -222,7 +223,7 @@ void add_notes(const LatticeMoldPlan& plan, Mold& mold) {
         "Taking off shell-{} squeezes a strand of {:.2f} mm by {:.2f} mm ({:.0f} %), at {:.0f} "
         "degrees and z = {:.1f} mm: the most anywhere.",
         worst.piece + 1, worst.strand_width_mm, worst.undercut_mm, 100 * worst.strain,
-        std::remainder(worst.at.u / radius, 2 * pi) * 180 / pi, worst.at.z - plan.land_mm));
+        degrees(std::remainder(worst.at.u / radius, 2 * pi)), worst.at.z - plan.land_mm));
   }
   mold.notes.push_back(undercut_list(plan));
   if (worst.strain > plan.options.allowed_strain) {

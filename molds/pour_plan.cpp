@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "design/units.h"
 #include "molds/print_size.h"
 
 namespace latticast {
@@ -27,7 +28,7 @@ int turn_of(const MoldPiece& piece) {
 }
 
 double pull_deg(const MoldPiece& piece) {
-  return piece.pull_rad * 180 / std::numbers::pi;
+  return degrees(piece.pull_rad);
 }
 
 std::string numbered(const std::vector<std::string>& steps) {

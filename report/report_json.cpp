@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "design/units.h"
 #include "model/shape/shape.h"
 #include "report/report_data.h"
 
@@ -16,8 +17,6 @@ namespace latticast {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr double degrees = 180 / std::numbers::pi;
 constexpr std::size_t most_line_points = 20000;  // of all cases together
 
 template <class T>
@@ -152,7 +151,7 @@ Json state_json(const State& state, const Segment& segment) {
           {"length_mm", state.stretch * segment.length_mm},
           {"twist_deg", twist_deg(state, segment)},
           {"bend_deg", bend_deg(state, segment)},
-          {"bend_direction_deg", state.bend_direction_rad() * degrees},
+          {"bend_direction_deg", degrees(state.bend_direction_rad())},
           {"inner_radius_mm", state.inner_radius_mm},
           {"outer_radius_mm", state.outer_radius_mm},
           {"stable", state.stable},
@@ -288,8 +287,8 @@ Json case_json(const ChainResponse& chain, const Design& design, std::size_t i, 
   for (const State& state : *states) stable = stable && state.stable;
   json["tip_mm"] = point_json(tip.origin);
   json["tip_axis"] = point_json({turn[0][2], turn[1][2], turn[2][2]});
-  json["twist_deg"] = shape.end_rotation_rad() * degrees;
-  json["tilt_deg"] = tilt_rad(turn) * degrees;
+  json["twist_deg"] = degrees(shape.end_rotation_rad());
+  json["tilt_deg"] = degrees(tilt_rad(turn));
   json["length_mm"] = shape.length_mm();
   json["stable"] = stable;
   json["centre_line_mm"] = Json::array();
@@ -397,7 +396,7 @@ std::string response_csv(const ReportData& data) {
       text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", s + 1, state->pressure_kpa,
                           curve.asked[i] ? 1 : 0, state->stretch, twist_deg(*state, segment),
                           state->twist_rad_per_mm / state->stretch, bend_deg(*state, segment),
-                          state->bend_direction_rad() * degrees, state->inner_radius_mm,
+                          degrees(state->bend_direction_rad()), state->inner_radius_mm,
                           state->outer_radius_mm, state->stable ? 1 : 0, state->residual,
                           state->error_estimate);
     }

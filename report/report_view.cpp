@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "design/units.h"
 #include "export/mesh/glb_file.h"
 #include "report/preview.h"
 
@@ -22,7 +23,7 @@ constexpr double coarsest_mm = 1;
 constexpr std::size_t most_vertices = 110000;  // in all states together
 constexpr int fewest_steps = 4;
 constexpr int most_steps = 24;
-constexpr double step_rad = 20 * std::numbers::pi / 180;  // its chord runs 1.5 % inside the arc
+constexpr double step_rad = radians(20);  // its chord runs 1.5 % inside the arc
 
 State rest_state(const Segment& segment) {
   State state;
@@ -166,7 +167,7 @@ Json segment_json(const ViewSegment& view, const Segment& segment, std::size_t n
 // On the outer surface, so that the place can be seen.
 Json marker_json(const ViewSegment& view, const Segment& segment, const CheckFinding& finding,
                  std::size_t index) {
-  const double theta = finding.place->theta_deg * std::numbers::pi / 180;
+  const double theta = radians(finding.place->theta_deg);
   const double radius = segment.outer_radius_mm();
   const Point rest{radius * std::cos(theta), radius * std::sin(theta), finding.place->z_mm};
   Json places = Json::array();

@@ -125,7 +125,7 @@ class Family {
  public:
   Family(const Segment& segment, std::size_t number)
       : grid_(segment.lattice->grids[number]),
-        circumference_(2 * std::numbers::pi * segment.lattice_mid_radius_mm()),
+        circumference_(segment.lattice_circumference_mm()),
         column_{*grid_.horseshoe, 0, grid_.angle_deg, 0, segment.length_mm},
         key_(fmt::format("lattice.grid[{}].horseshoe", number)) {}
 

@@ -5,16 +5,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "design/units.h"
+
 namespace latticast {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
 constexpr double widest_step = 0.5;  // in radians; the error of chords is a series in the step
 constexpr int samples_per_arc = 256;
 constexpr double worst_sag = 1.05;
 
 double half_arc(const Horseshoe& shape) {
-  return 0.5 * shape.arc_deg * radians;
+  return 0.5 * radians(shape.arc_deg);
 }
 
 int side_of_arc(const Horseshoe& shape, int arc) {
@@ -33,7 +34,7 @@ struct Frame {
 };
 
 Frame frame_of(const HorseshoeColumn& column) {
-  const double angle = column.angle_deg * radians;
+  const double angle = radians(column.angle_deg);
   const double cosine = column.angle_deg == 90 ? 0.0 : std::cos(angle);
   return {{column.start_u_mm, 0}, {cosine, std::sin(angle)}, {std::sin(angle), -cosine}};
 }
@@ -234,7 +235,7 @@ double chord_mm(const Horseshoe& shape) {
 }
 
 double arcs_on_segment(const HorseshoeColumn& column) {
-  return column.length_mm / (chord_mm(column.shape) * std::sin(column.angle_deg * radians));
+  return column.length_mm / (chord_mm(column.shape) * std::sin(radians(column.angle_deg)));
 }
 
 double closing_radius_mm(const HorseshoeColumn& column) {

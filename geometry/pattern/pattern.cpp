@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "design/units.h"
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/pattern/horseshoe_path.h"
 #include "geometry/pattern/rings.h"
@@ -18,7 +19,7 @@ Strand band(double circumference, double z_from, double z_to) {
 }
 
 Strand straight_strip(double start_u, double angle_deg, double width, double length) {
-  const double angle = angle_deg * std::numbers::pi / 180;
+  const double angle = radians(angle_deg);
   const double half = 0.5 * width / std::sin(angle);
   // The cotangent of 90 degrees is exactly 0, so that axial columns are drawn axial.
   const double drift = angle_deg == 90 ? 0.0 : length * std::cos(angle) / std::sin(angle);
@@ -66,7 +67,7 @@ DrawingError& DrawingError::operator+=(const DrawingError& other) {
 }
 
 Pattern draw_lattice(const Segment& segment, double flatness_mm) {
-  const double circumference = 2 * std::numbers::pi * segment.lattice_mid_radius_mm();
+  const double circumference = segment.lattice_circumference_mm();
   Pattern pattern{circumference, segment.length_mm, {}};
   std::string problems;
   for (const std::string& problem : drawing_problems(segment)) problems += "\n  " + problem;

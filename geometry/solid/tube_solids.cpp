@@ -99,7 +99,7 @@ double steepest_slant(const Segment& segment) {
   double steepest = 0;
   for (const Grid& grid : segment.lattice->grids) {
     if (grid.angle_deg == 90) continue;
-    const double angle = grid.angle_deg * std::numbers::pi / 180;
+    const double angle = grid.angle_rad();
     const double rise = std::sin(angle);
     steepest = std::max(steepest, rise / std::hypot(rise, shrunk * std::cos(angle)));
   }

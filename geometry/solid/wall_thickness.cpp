@@ -7,14 +7,12 @@
 #include <optional>
 #include <vector>
 
+#include "design/units.h"
+
 namespace latticast {
 namespace {
 
 constexpr double most_points = 400'000;
-
-constexpr double radians(double degrees) {
-  return degrees * std::numbers::pi / 180;
-}
 
 Point difference(const Point& a, const Point& b) {
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};

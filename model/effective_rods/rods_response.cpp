@@ -6,18 +6,18 @@
 #include <cmath>
 #include <string>
 
+#include "design/units.h"
 #include "model/equilibrium/turning_name.h"
 
 namespace latticast {
 namespace {
 
-constexpr double kpa_per_mpa = 1000;
 constexpr int scan_steps = 64;
 constexpr int most_halvings = 60;
 
 std::optional<RodsState> at_pressure(const Rods& rods, double pressure_kpa, Held held,
                                      RodsRefusal* why = nullptr) {
-  return rods_equilibrium(rods, {pressure_kpa / kpa_per_mpa, 0, 0, held.stretch, held.bend}, why);
+  return rods_equilibrium(rods, {mpa_from_kpa(pressure_kpa), 0, 0, held.stretch, held.bend}, why);
 }
 
 std::string refusal_text(double pressure_kpa, RodsRefusal why) {

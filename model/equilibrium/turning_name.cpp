@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include "design/units.h"
+
 namespace latticast {
 
 std::string pressure_text(double pressure_kpa) {
@@ -15,9 +17,9 @@ std::string pressure_text(double pressure_kpa) {
 
 std::string turning_name(const TurningPoint& point, double length_mm) {
   const bool bend = point.quantity == TurningQuantity::bend;
-  const double angle =
-      (bend ? point.state.bend_magnitude_rad_per_mm() : std::abs(point.state.twist_rad_per_mm)) *
-      length_mm * 180 / std::numbers::pi;
+  const double per_mm =
+      bend ? point.state.bend_magnitude_rad_per_mm() : std::abs(point.state.twist_rad_per_mm);
+  const double angle = degrees(per_mm * length_mm);
   char text[160];
   std::snprintf(text, sizeof text,
                 "%s angle is %s, %.4g degrees, at %s: an inverse P(%s) has two branches",

@@ -12,11 +12,11 @@
 #include <thread>
 
 #include "design/limits.h"
+#include "design/units.h"
 
 namespace latticast {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double rounding = 1e-12;  // what conversion of units may add to a limit
 constexpr double lowest_strain = -0.3;
 constexpr double beyond_full_extension = 0.5;
@@ -34,8 +34,8 @@ const HorseshoeShape& checked(const HorseshoeShape& shape) {
       !positive(shape.youngs_modulus_mpa)) {
     throw HorseshoeOutOfScope("a horseshoe's sizes and modulus must be positive and finite");
   }
-  if (!between(shape.arc_rad, limits::horseshoe_arc.low * degree,
-               limits::horseshoe_arc.high * degree)) {
+  if (!between(shape.arc_rad, radians(limits::horseshoe_arc.low),
+               radians(limits::horseshoe_arc.high))) {
     throw HorseshoeOutOfScope("a horseshoe's arc must be from 20 to 300 degrees");
   }
   if (!between(shape.width_mm / shape.radius_mm, 1e-3, 100)) {

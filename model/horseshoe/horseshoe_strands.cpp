@@ -6,6 +6,8 @@
 #include <string>
 #include <variant>
 
+#include "design/units.h"
+
 namespace latticast {
 
 double rest_shear_modulus(const Law& law) {
@@ -27,7 +29,7 @@ double strand_modulus_mpa(const Lattice& lattice) {
 }
 
 HorseshoeShape horseshoe_shape(const Segment& segment, const Grid& grid, double width_mm) {
-  return {grid.horseshoe->radius_mm, grid.horseshoe->arc_deg * std::numbers::pi / 180, width_mm,
+  return {grid.horseshoe->radius_mm, radians(grid.horseshoe->arc_deg), width_mm,
           segment.lattice->thickness_mm, strand_modulus_mpa(*segment.lattice)};
 }
 

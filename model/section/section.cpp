@@ -93,13 +93,13 @@ StrandFamily strand_family(const Layer& layer, std::size_t index) {
   const bool layered = layer.model.wall == WallKind::layered;
   if (!layered) refuse_in_mixture(grid, index);
   const double modulus = strand_modulus_mpa(*segment.lattice);
-  // Measured from the axis, mirrored angles have exactly mirrored directions: a symmetric lattice
-  // is symmetric to the last bit, and does not twist.
-  const double from_axis = (90 - grid.angle_deg) * pi / 180;
+  // Exactly mirrored for mirrored angles: a symmetric lattice is symmetric to the last bit, and
+  // does not twist.
+  const StrandDirection direction = grid.direction();
   StrandFamily family;
-  family.cosine = std::sin(from_axis);
-  family.sine = std::cos(from_axis);
-  const double around = 2 * pi * segment.lattice_mid_radius_mm() * family.sine;
+  family.cosine = direction.cosine;
+  family.sine = direction.sine;
+  const double around = segment.lattice_circumference_mm() * family.sine;
   double filled = 0;
   for (const double width : grid.widths_mm) {
     StrandPlace strand;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "design/units.h"
 #include "geometry/pattern/horseshoe_path.h"
 #include "geometry/pattern/rings.h"
 #include "model/horseshoe/horseshoe_fibre.h"
@@ -56,20 +57,20 @@ int shape_index(std::vector<HorseshoeShape>& shapes, const HorseshoeShape& shape
 
 Family family_of(const Segment& segment, int index, std::vector<HorseshoeShape>& shapes) {
   const Grid& grid = segment.lattice->grids[index];
-  const double angle = grid.angle_deg * pi / 180;
+  const double angle = grid.angle_rad();
   Family family;
   family.grid = &grid;
   family.index = index;
   family.sine = std::sin(angle);
   family.cosine = grid.angle_deg == 90 ? 0 : std::cos(angle);
-  family.spacing_mm = 2 * pi * segment.lattice_mid_radius_mm() / grid.count();
+  family.spacing_mm = segment.lattice_circumference_mm() / grid.count();
   family.reach_mm = 0.5 * *std::max_element(grid.widths_mm.begin(), grid.widths_mm.end());
   if (!grid.horseshoe) return family;
   const HorseshoeColumn column{*grid.horseshoe, 0, grid.angle_deg, 0, segment.length_mm};
   family.drawn = *grid.horseshoe;
   family.drawn.radius_mm = closing_radius_mm(column);
   family.reach_mm +=
-      family.drawn.radius_mm * (1 - std::cos(0.5 * grid.horseshoe->arc_deg * pi / 180));
+      family.drawn.radius_mm * (1 - std::cos(0.5 * radians(grid.horseshoe->arc_deg)));
   for (const double width : grid.widths_mm) {
     family.shape.push_back(shape_index(shapes, horseshoe_shape(segment, grid, width)));
   }
@@ -170,7 +171,7 @@ WallStretch stretch_at(const Segment& segment, const State& state, double radius
 
 double chord_strain(const StrandField& field, const State& state, const StrandMember& member,
                     const WallPoint& point) {
-  const double angle = field.segment.lattice->grids[member.grid].angle_deg * pi / 180;
+  const double angle = field.segment.lattice->grids[member.grid].angle_rad();
   const WallStretch at = stretch_at(field.segment, state, field.segment.lattice_mid_radius_mm(),
                                     member.theta_rad, point.along_mm);
   return at.along(angle) - 1;
@@ -261,7 +262,7 @@ std::vector<double> strand_strains(const StrandField& field, const State& state)
       if (member.shape >= 0) {
         strain = tables[member.shape].at(chord_strain(field, state, member, point));
       } else if (member.grid >= 0) {
-        strain = at.along(field.segment.lattice->grids[member.grid].angle_deg * pi / 180) - 1;
+        strain = at.along(field.segment.lattice->grids[member.grid].angle_rad()) - 1;
       }
       if (std::abs(strain) > std::abs(largest)) largest = strain;
     }

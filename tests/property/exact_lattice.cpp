@@ -12,7 +12,6 @@ namespace latticast {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double radians = pi / 180;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 constexpr double fine_angle = 1e-3;  // in which arcs are followed to the segment's ends
 
@@ -124,7 +123,7 @@ ExactLattice::ExactLattice(const Segment& segment)
 }
 
 void ExactLattice::add_strip(const Grid& grid, int strand) {
-  const double angle = grid.angle_deg * radians;
+  const double angle = grid.angle_rad();
   const double cotangent = grid.angle_deg == 90 ? 0 : std::cos(angle) / std::sin(angle);
   strips_.push_back({strand * circumference_ / grid.count(), cotangent,
                      0.5 * grid.widths_mm[strand] / std::sin(angle)});
@@ -132,8 +131,8 @@ void ExactLattice::add_strip(const Grid& grid, int strand) {
 
 // Arcs from the middle of the strand to its first way out, at either end.
 void ExactLattice::add_horseshoes(const Grid& grid, int strand) {
-  const double angle = grid.angle_deg * radians;
-  const double half = 0.5 * grid.horseshoe->arc_deg * radians;
+  const double angle = grid.angle_rad();
+  const double half = 0.5 * radians(grid.horseshoe->arc_deg);
   const double asked = 2 * grid.horseshoe->radius_mm * std::sin(half) * std::sin(angle);
   const double count = std::max(1.0, std::round(length_ / asked));
   const double radius = length_ / count / (2 * std::sin(half) * std::sin(angle));

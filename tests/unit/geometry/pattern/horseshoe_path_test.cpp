@@ -12,13 +12,11 @@
 namespace latticast {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
-
 // A column that closes with `arcs` arcs on its length.
 HorseshoeColumn closed_column(double angle_deg, double arc_deg, bool alternate, int arcs,
                               double width_over_radius, double length = 40) {
-  const double chord = length / std::sin(angle_deg * radians) / arcs;
-  const double radius = 0.5 * chord / std::sin(0.5 * arc_deg * radians);
+  const double chord = length / std::sin(radians(angle_deg)) / arcs;
+  const double radius = 0.5 * chord / std::sin(0.5 * radians(arc_deg));
   return {{radius, arc_deg, alternate}, 3.0, angle_deg, width_over_radius * radius, length};
 }
 
@@ -51,10 +49,10 @@ bool holds(const DrawnHorseshoe& drawn, PlanePoint p) {
 // Distance from the endless chain's centre line, in complex numbers: the chord line is the real
 // axis, arcs bulge to negative imaginary numbers first.
 double distance_to_chain(const HorseshoeColumn& column, PlanePoint p) {
-  const double half = 0.5 * column.shape.arc_deg * radians;
+  const double half = 0.5 * radians(column.shape.arc_deg);
   const double radius = column.shape.radius_mm;
   const double chord = 2 * radius * std::sin(half);
-  const double turn = column.angle_deg * radians;
+  const double turn = radians(column.angle_deg);
   const double du = p.u - column.start_u_mm;
   const double s = du * std::cos(turn) + p.z * std::sin(turn);
   const double t = du * std::sin(turn) - p.z * std::cos(turn);
@@ -97,7 +95,7 @@ TEST(HorseshoePath, OutlinesEncloseTheAreaOfTheArcs) {
             EXPECT_GT(area(strand), 0);
             sum += area(strand);
           }
-          const double expected = arcs * column.shape.radius_mm * arc * radians * column.width_mm;
+          const double expected = arcs * column.shape.radius_mm * radians(arc) * column.width_mm;
           // Where the cut runs along a strand, tips lower than the flatness are left out.
           const double tips = 4 * scaled * column.width_mm;
           EXPECT_LE(sum, expected * (1 + 1e-12));
@@ -122,7 +120,7 @@ TEST(HorseshoePath, OutlinesFollowTheTrueArcs) {
     const double arc = between(20, alternate ? 230 : 180);
     HorseshoeColumn column = closed_column(angle, arc, alternate, 2 + trial % 11, 1);
     const double radius = column.shape.radius_mm;
-    const double room = arc > 180 ? 4 * std::sin(0.5 * arc * radians) - 2 : 1.9;
+    const double room = arc > 180 ? 4 * std::sin(0.5 * radians(arc)) - 2 : 1.9;
     column.width_mm = radius * between(0.02, 0.95 * std::min(room, 1.9));
     const double flatness = column.width_mm * between(0.001, 0.1);
     SCOPED_TRACE(testing::Message()
@@ -132,8 +130,8 @@ TEST(HorseshoePath, OutlinesFollowTheTrueArcs) {
     const double reach = 2 * radius + column.width_mm;
     for (int i = 0; i < 800; ++i) {
       const double z = between(0, column.length_mm);
-      const PlanePoint p{column.start_u_mm + z / std::tan(angle * radians) +
-                             between(-2, 2) * radius / std::sin(angle * radians),
+      const PlanePoint p{column.start_u_mm + z / std::tan(radians(angle)) +
+                             between(-2, 2) * radius / std::sin(radians(angle)),
                          z};
       const double depth = 0.5 * column.width_mm - distance_to_chain(column, p);
       if (std::abs(depth) < 1.01 * flatness) continue;
@@ -201,7 +199,7 @@ TEST(HorseshoePath, DistanceOfNeighboursIsTheirSpacingWhereArcsNest) {
   // Axial columns in phase run parallel: nowhere closer than where they are steepest, and two
   // columns shifted along u by d have points exactly d apart.
   const HorseshoeColumn straightish = closed_column(90, 20, true, 8, 0.1);
-  const double steepest = std::cos(10 * radians);
+  const double steepest = std::cos(radians(10));
   EXPECT_NEAR(centre_distance_mm(straightish, 1.0), steepest, 2e-3);
   const HorseshoeColumn half_circles = closed_column(90, 180, true, 8, 0.1);
   const double radius = half_circles.shape.radius_mm;
@@ -221,12 +219,12 @@ TEST(HorseshoePath, DistanceOfNeighboursAgreesWithBruteForce) {
     const HorseshoeColumn column = closed_column(angle, between(20, 200), alternate, 40, 0.2);
     const double radius = column.shape.radius_mm;
     // As far as a strand is wide at most.
-    const double spacing = radius * between(0.1, 6) / std::sin(angle * radians);
+    const double spacing = radius * between(0.1, 6) / std::sin(radians(angle));
     SCOPED_TRACE(testing::Message() << "seed " << seed << " trial " << trial);
     HorseshoeColumn neighbour = column;
     neighbour.start_u_mm += spacing;
     double brute = HUGE_VAL;
-    const double half = 0.5 * column.shape.arc_deg * radians;
+    const double half = 0.5 * radians(column.shape.arc_deg);
     const double chord = chord_mm(column.shape);
     for (int arc = 20; arc < 22; ++arc) {
       const double side = alternate && arc % 2 != 0 ? -1 : 1;
@@ -234,7 +232,7 @@ TEST(HorseshoePath, DistanceOfNeighboursAgreesWithBruteForce) {
         const double direction = -half + 2 * half * i / 500;
         const double s = (arc + 0.5) * chord + radius * std::sin(direction);
         const double t = side * radius * (std::cos(direction) - std::cos(half));
-        const double turn = angle * radians;
+        const double turn = radians(angle);
         const PlanePoint p{column.start_u_mm + s * std::cos(turn) + t * std::sin(turn),
                            s * std::sin(turn) - t * std::cos(turn)};
         brute = std::min(brute, distance_to_chain(neighbour, p));

@@ -19,12 +19,10 @@
 namespace latticast {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
-
 // The radius with which so many arcs fill a segment.
 double closing_radius(const Segment& segment, double angle_deg, double arc_deg, int arcs) {
-  return segment.length_mm / std::sin(angle_deg * radians) / arcs / 2 /
-         std::sin(0.5 * arc_deg * radians);
+  return segment.length_mm / std::sin(radians(angle_deg)) / arcs / 2 /
+         std::sin(0.5 * radians(arc_deg));
 }
 
 // Horseshoes alone, without rings.
@@ -59,7 +57,7 @@ TEST(HorseshoeSolid, HasTheVolumeOfItsArcs) {
       const Solid solid = lattice_solid(segment, options);
       ASSERT_NO_FATAL_FAILURE(expect_sound(solid));
       const double radius = segment.lattice->grids[0].horseshoe->radius_mm;
-      const double expected = 16 * radius * arc * radians * (1 + 2 + 1.5) * 2;
+      const double expected = 16 * radius * radians(arc) * (1 + 2 + 1.5) * 2;
       EXPECT_NEAR(solid.volume_mm3, expected, 1e-4 * expected);
       EXPECT_EQ(solid.pieces, 3);
       EXPECT_EQ(solid.genus, 0);
@@ -195,7 +193,7 @@ TEST(HorseshoeSolid, WallsStayWithinTheToleranceOfTheArcs) {
           double nearest = HUGE_VAL;
           for (int arc = at - 1; arc <= at + 1; ++arc) {
             // Axial columns bulge to the right, toward greater u, first.
-            const double across = (arc % 2 == 0 ? u : -u) + radius * std::cos(75 * radians);
+            const double across = (arc % 2 == 0 ? u : -u) + radius * std::cos(radians(75));
             const double r = std::hypot(p[2] - (arc + 0.5) * chord, across);
             nearest = std::min(nearest, std::abs(std::abs(r - radius) - 0.75));
           }

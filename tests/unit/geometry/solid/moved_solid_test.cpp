@@ -17,8 +17,6 @@
 namespace latticast {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
-
 using Surface = std::function<Point(double, double)>;
 
 Point difference(const Point& a, const Point& b) {
@@ -118,8 +116,8 @@ class Comparison {
   double wall_error(const Point& rest, const Point& point) const {
     const Grid& grid = segment_.lattice->grids[0];
     const double middle = segment_.lattice_mid_radius_mm();
-    const double slope = grid.angle_deg == 90 ? 0 : 1 / std::tan(grid.angle_deg * radians) / middle;
-    const double half = 0.5 * grid.widths_mm[0] / std::sin(grid.angle_deg * radians) / middle;
+    const double slope = grid.angle_deg == 90 ? 0 : 1 / std::tan(grid.angle_rad()) / middle;
+    const double half = 0.5 * grid.widths_mm[0] / std::sin(grid.angle_rad()) / middle;
     const double turn = std::atan2(rest[1], rest[0]) - slope * rest[2];
     double nearest = HUGE_VAL;
     for (int i = 0; i < grid.count(); ++i) {
