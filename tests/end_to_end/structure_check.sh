@@ -6,6 +6,8 @@
 #   - A folder, and a room within it, includes only what lies below it (table `below`).
 #   - A third-party header is included only in the folder that owns the library (table `owners`), and
 #     no file of another folder reaches it through that folder's headers.
+#   - A citation resolves: `[Author Year]` is a key of docs/references.md, `docs/page.md` a page, and the part
+#     behind its # a heading of it.
 #   - No two headers define a type of one name.
 #   - Every source starts with its licence.
 #   - No file names a folder of somebody's machine.
@@ -195,10 +197,48 @@ repeated_type_violations() {
       }'
 }
 
+# A heading's anchor, as GitHub makes it: small letters, without punctuation, hyphens for spaces.
+citation_violations() {
+  { grep -E '\.(h|cpp|md|sh|py|js|mjs|gp|cmake)$|^dev$' || true; } |
+    { grep -vE '^tests/end_to_end/structure_(check|test)\.sh$' || true; } |
+    { xargs -d '\n' -r grep -HnE '\[Wang\]|\[[A-Z][A-Za-z-]+ [12][0-9]{3}[a-z]?\]|docs/[A-Za-z0-9_/-]+\.md|^#+ ' || true; } |
+    awk '
+    function slug(text) {
+      text = tolower(text)
+      gsub(/[^a-z0-9 \200-\377_-]/, "", text)
+      gsub(/ /, "-", text)
+      return text
+    }
+    {
+      split($0, place, ":")
+      file = place[1]
+      line = substr($0, length(place[1] place[2]) + 3)
+      if (file ~ /^docs\/.*\.md$/) {
+        page[file] = 1
+        if (match(line, /^#+ /)) heading[file "#" slug(substr(line, RLENGTH + 1))] = 1
+        if (file == "docs/references.md" && match(line, /^- \*\*\[[^]]*\]/))
+          key[substr(line, RSTART + 4, RLENGTH - 4)] = 1
+      }
+      while (match(line, /\[Wang\]|\[[A-Z][A-Za-z-]+ [12][0-9][0-9][0-9][a-z]?\]|docs\/[A-Za-z0-9_\/-]+\.md(#[^][ )`"*,;]*[a-z0-9])?/)) {
+        cited[++count] = substr(line, RSTART, RLENGTH)
+        where[count] = file ":" place[2] ": "
+        line = substr(line, RSTART + RLENGTH)
+      }
+    }
+    END {
+      for (i = 1; i <= count; ++i) {
+        target = cited[i]
+        known = target ~ /^\[/ ? target in key : target ~ /#/ ? target in heading : target in page
+        if (!known) print where[i] target " is cited, and nowhere to be found"
+      }
+    }'
+}
+
 # A new folder or library is added to the tables above.
 violations=$(
   files | include_violations
   files | repeated_type_violations
+  files | citation_violations
   files | licence_violations
   files | machine_path_violations
 )

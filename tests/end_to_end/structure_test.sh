@@ -32,6 +32,9 @@ lay_good_tree() {
   put app/build.cpp "$licence" '#include <CLI/CLI.hpp>' '#include "geometry/solid/audit.h"' '#include "model/section/section.h"'
   put tests/unit/audit_test.cpp "$licence" '#include <gtest/gtest.h>' '#include "design/private_reader.h"'
   put examples/one.toml '# A design' "name = \"https://example.org$work/one\""
+  put docs/references.md '# References' '- **[Gent 1996]** A. N. Gent.'
+  put docs/model.md '# The model' '## Energy of a section, per mm' 'As in [Gent 1996].'
+  put model/section/energy.cpp "$licence" '// [Gent 1996] (3), docs/model.md#energy-of-a-section-per-mm.'
   put build/generated.cpp '#include "../x.h"'
 }
 
@@ -84,6 +87,9 @@ violation model/section/section.cpp '#include <unheard/of.h>' 'belongs to no fol
 violation app/build.cpp '#include "design/private_reader.h"' 'carries <toml\+\+/toml.h> out of its folder'
 violation design/design.h 'class Section {};' '^design/design.h:3: the type Section is defined in model/section/section.h already|^model/section/section.h:3: the type Section is defined in design/design.h already'
 violation docs/page.md "Look in $home/someone/latticast" '^docs/page.md:2: names a folder'
+violation model/section/section.cpp '// [Gent 1997] (3)' 'section.cpp:2: \[Gent 1997\] is cited, and nowhere'
+violation model/section/section.cpp '// see docs/attic.md' 'docs/attic.md is cited'
+violation model/section/section.cpp '// docs/model.md#energies.' 'docs/model.md#energies is cited'
 violation app/build.cpp "// see $work/notes.txt" '^app/build.cpp:5: names a folder'
 
 lay_good_tree
