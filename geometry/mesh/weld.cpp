@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/mesh/weld.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstddef>
@@ -97,6 +98,15 @@ TriangleMesh weld(const TriangleMesh& mesh) {
     welded.triangles.push_back({index[t[0]], index[t[1]], index[t[2]]});
   }
   return welded;
+}
+
+bool same_triangles(const TriangleMesh& a, const TriangleMesh& b) {
+  return std::equal(a.triangles.begin(), a.triangles.end(), b.triangles.begin(), b.triangles.end(),
+                    [&](const Triangle& s, const Triangle& t) {
+                      return a.vertices[s[0]] == b.vertices[t[0]] &&
+                             a.vertices[s[1]] == b.vertices[t[1]] &&
+                             a.vertices[s[2]] == b.vertices[t[2]];
+                    });
 }
 
 }  // namespace latticast

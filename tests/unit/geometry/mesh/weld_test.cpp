@@ -89,6 +89,26 @@ TEST(Weld, ManyNanVerticesTakeLinearTime) {
   EXPECT_EQ(weld(mesh).vertices.size(), 300000U);
 }
 
+TEST(SameTriangles, AreToldByTheirCornersNotByTheirNumbers) {
+  const TriangleMesh shared{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}};
+  const TriangleMesh apart{{{9, 9, 9}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}},
+                           {{4, 2, 1}, {1, 2, 3}}};
+  EXPECT_TRUE(same_triangles(shared, apart));
+  EXPECT_TRUE(same_triangles({}, {}));
+  TriangleMesh turned = apart;
+  std::swap(turned.triangles[0][0], turned.triangles[0][1]);
+  EXPECT_FALSE(same_triangles(shared, turned));
+  TriangleMesh moved = apart;
+  moved.vertices[3][2] = 0x1p-20;
+  EXPECT_FALSE(same_triangles(shared, moved));
+  TriangleMesh fewer = apart;
+  fewer.triangles.pop_back();
+  EXPECT_FALSE(same_triangles(shared, fewer));
+  EXPECT_FALSE(same_triangles(fewer, shared));
+  const TriangleMesh unknown{{{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  EXPECT_FALSE(same_triangles(unknown, unknown));
+}
+
 TEST(Weld, AgreesWithAnOrderedMap) {
   constexpr unsigned seed = 11;
   SCOPED_TRACE("seed " + std::to_string(seed));
