@@ -5,9 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include <Eigen/Dense>
-
 #include "design/units.h"
+#include "model/numerics/small_matrix.h"
 
 namespace latticast {
 namespace {
@@ -15,6 +14,12 @@ namespace {
 constexpr int steps = 64;
 constexpr int most_iterations = 30;
 constexpr double difference = 1e-6;
+
+double largest(std::span<const double> vector) {
+  double size = 0;
+  for (const double entry : vector) size = std::max(size, std::abs(entry));
+  return size;
+}
 
 /// Stretch and bending of a section in the plane of bending under pressure, pull and moment.
 class PlanarSection {
@@ -49,29 +54,28 @@ class PlanarSection {
   bool load_section(const Section& section, double force_n, double moment_nmm) {
     constexpr std::array<int, 3> active = {coordinate::elongation, coordinate::bend_1,
                                            coordinate::inner_growth};
-    const Eigen::Vector3d scale(1, 1 / section.outer_radius_mm, section.inner_radius_mm);
-    const Eigen::Vector3d loads(force_n, moment_nmm, 0);
+    const std::array scale = {1.0, 1 / section.outer_radius_mm, section.inner_radius_mm};
+    const std::array loads = {force_n, moment_nmm, 0.0};
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
       const auto stored = stored_energy(section, quadrature_, at_, active);
       if (!stored) return false;
       const SectionEnergy cavity = cavity_growth(section, at_);
-      Eigen::Vector3d imbalance;
-      Eigen::Matrix3d stiffness;
+      std::array<double, 3> step{};
+      std::array<double, 9> stiffness{};
       for (int i = 0; i < 3; ++i) {
         const int a = active[i];
-        imbalance[i] =
-            scale[i] * (stored->gradient[a] - pressure_mpa_ * cavity.gradient[a] - loads[i]);
+        step[i] = scale[i] * (loads[i] - stored->gradient[a] + pressure_mpa_ * cavity.gradient[a]);
         for (int j = 0; j < 3; ++j) {
           const int b = active[j];
-          stiffness(i, j) =
+          stiffness[j * 3 + i] =
               scale[i] * scale[j] * (stored->second(a, b) - pressure_mpa_ * cavity.second(a, b));
         }
       }
-      const Eigen::Vector3d step = scale.cwiseProduct(stiffness.ldlt().solve(-imbalance));
-      at_.elongation += step[0];
-      at_.bend_1 += step[1];
-      at_.inner_growth += step[2];
-      if (step.cwiseQuotient(scale).cwiseAbs().maxCoeff() < 1e-11) return true;
+      solve_in_place(stiffness, step);
+      at_.elongation += scale[0] * step[0];
+      at_.bend_1 += scale[1] * step[1];
+      at_.inner_growth += scale[2] * step[2];
+      if (largest(step) < 1e-11) return true;
     }
     return false;
   }
@@ -150,15 +154,14 @@ std::optional<TipForce> blocked_tip_force(const PreparedSegment& segment, double
     const auto turned = base(section, length, angle + difference, force * unit);
     const auto pushed = base(section, length, angle, (force + difference) * unit);
     if (!at || !turned || !pushed) return std::nullopt;
-    Eigen::Matrix2d jacobian;
-    jacobian << ((*turned)[0] - (*at)[0]) / difference, ((*pushed)[0] - (*at)[0]) / difference,
-        ((*turned)[2] - (*at)[2]) / difference / length,
-        ((*pushed)[2] - (*at)[2]) / difference / length;
-    const Eigen::Vector2d miss((*at)[0], (*at)[2] / length);
-    const Eigen::Vector2d step = jacobian.partialPivLu().solve(-miss);
+    std::array jacobian = {
+        ((*turned)[0] - (*at)[0]) / difference, ((*turned)[2] - (*at)[2]) / difference / length,
+        ((*pushed)[0] - (*at)[0]) / difference, ((*pushed)[2] - (*at)[2]) / difference / length};
+    std::array step = {-(*at)[0], -(*at)[2] / length};
+    solve_in_place(jacobian, step);
     angle += step[0];
     force += step[1];
-    if (step.cwiseAbs().maxCoeff() > 1e-9) continue;
+    if (largest(step) > 1e-9) continue;
     const double newtons = std::abs(force * unit);
     return TipForce{newtons, bend > 0 ? -angle : angle, newtons * (*at)[1], (*at)[1]};
   }

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include <Eigen/Dense>
+#include "model/numerics/small_matrix.h"
 
 namespace latticast {
 namespace {
@@ -75,10 +75,10 @@ Balance::Balance(const Section& section, Held held, const SolverOptions& options
   }
 
   const int n = free_count();
-  const BalanceAt rest = *at(BranchPoint{});
-  const Eigen::Map<const Eigen::MatrixXd> stiffness(rest.stiffness.data(), n, n);
-  const Eigen::Map<const Eigen::VectorXd> push(rest.push.data(), n);
-  pressure_mpa_ = 1 / stiffness.ldlt().solve(push).norm();
+  BalanceAt rest = *at(BranchPoint{});
+  const std::span<double> speed = std::span(rest.push).first(n);
+  solve_in_place(std::span(rest.stiffness).first(n * n), speed);
+  pressure_mpa_ = 1 / norm(speed);
 }
 
 std::optional<BalanceAt> Balance::at(std::span<const double> x) const {
@@ -206,25 +206,19 @@ LeftOut Balance::left_out(std::span<const double> x) const {
   if (alike) asked.pop_back();
   const auto stored = stored_energy(section_, for_left_out_, deformation(x), asked);
   if (!stored) return result;
-  const auto n = static_cast<Eigen::Index>(asked.size());
-  using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3>;
-  Small stiffness(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j < n; ++j) {
+  const std::size_t n = asked.size();
+  BalanceAt::Matrix stiffness{};
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
       // The cavity does not grow by twisting or bending: pressure has no part in this.
-      const bool coupled = i == j || !alike;
-      stiffness(i, j) = coupled ? stored->second(asked[i], asked[j]) * scale_[asked[i]] *
-                                      scale_[asked[j]] / energy_
-                                : 0;
+      if (i != j && alike) continue;
+      stiffness[j * n + i] =
+          stored->second(asked[i], asked[j]) * scale_[asked[i]] * scale_[asked[j]] / energy_;
     }
   }
-  if (n == 1) {
-    result.eigenvalues[result.count++] = stiffness(0, 0);
-  } else {
-    const Eigen::SelfAdjointEigenSolver<Small> eigen(stiffness, Eigen::EigenvaluesOnly);
-    for (const double value : eigen.eigenvalues()) result.eigenvalues[result.count++] = value;
-  }
-  if (alike) result.eigenvalues[result.count++] = stiffness(n - 1, n - 1);
+  if (alike) result.eigenvalues[n] = stiffness[n * n - 1];
+  symmetric_eigenvalues(std::span(stiffness).first(n * n), std::span(result.eigenvalues).first(n));
+  result.count = static_cast<int>(alike ? n + 1 : n);
   return result;
 }
 

@@ -5,17 +5,15 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Dense>
-
 #include "model/equilibrium/turning_point.h"
+#include "model/numerics/small_matrix.h"
 
 namespace latticast {
 namespace {
 
-// No heap: a section has at most five free coordinates and the pressure.
-using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 6, 6>;
-using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
-using Eigen::Map;
+/// Room for the free coordinates and the pressure.
+using BorderedMatrix = std::array<double, (coordinate_count + 1) * (coordinate_count + 1)>;
+static_assert(coordinate_count + 1 <= largest_matrix);
 
 constexpr int most_iterations = 12;
 constexpr double first_reach = 0.3;
@@ -50,41 +48,40 @@ BranchPoint between(const BranchPoint& a, const BranchPoint& b, double fraction)
   return x;
 }
 
-template <int n>
-void eigenvalues_of(const double* stiffness, double* values) {
-  using Fixed = Eigen::Matrix<double, n, n>;
-  const Eigen::SelfAdjointEigenSolver<Fixed> solver(Map<const Fixed>(stiffness),
-                                                    Eigen::EigenvaluesOnly);
-  std::copy_n(solver.eigenvalues().data(), n, values);
-}
-
 /// Of the symmetric n x n stiffness, rising.
 BalanceAt::Vector stiffness_eigenvalues(const BalanceAt& balance, int n) {
-  constexpr std::array solvers{eigenvalues_of<1>, eigenvalues_of<2>, eigenvalues_of<3>,
-                               eigenvalues_of<4>, eigenvalues_of<5>};
-  static_assert(solvers.size() == coordinate_count);
+  BalanceAt::Matrix stiffness = balance.stiffness;
   BalanceAt::Vector values{};
-  solvers[n - 1](balance.stiffness.data(), values.data());
+  symmetric_eigenvalues(std::span(stiffness).first(n * n), std::span(values).first(n));
   return values;
 }
 
 /// Derivatives of the imbalance by coordinates and pressure, closed by a plane's normal: regular
 /// also where the stiffness alone is singular.
-Matrix bordered(const BalanceAt& balance, const BranchPoint& normal, int n) {
-  Matrix matrix(n + 1, n + 1);
-  matrix.topLeftCorner(n, n) = Map<const Eigen::MatrixXd>(balance.stiffness.data(), n, n);
-  matrix.topRightCorner(n, 1) = -Map<const Eigen::VectorXd>(balance.push.data(), n);
-  matrix.bottomRows(1) = Map<const Eigen::RowVectorXd>(normal.data(), n + 1);
-  return matrix;
+void fill_bordered(std::span<double> matrix, const BalanceAt& balance, const BranchPoint& normal,
+                   int n) {
+  for (int j = 0; j < n; ++j) {
+    std::copy_n(&balance.stiffness[j * n], n, &matrix[j * (n + 1)]);
+    matrix[n * (n + 1) + j] = -balance.push[j];
+  }
+  for (int j = 0; j <= n; ++j) matrix[j * (n + 1) + n] = normal[j];
+}
+
+/// Solves the bordered system; `right` becomes its solution.
+void solve_bordered(const BalanceAt& balance, const BranchPoint& normal, BranchPoint& right,
+                    int n) {
+  BorderedMatrix matrix;
+  fill_bordered(matrix, balance, normal, n);
+  solve_in_place(std::span(matrix).first((n + 1) * (n + 1)), std::span(right).first(n + 1));
 }
 
 /// The direction in which imbalance stays zero, on the side of `guide`.
 BranchPoint tangent_at(const BalanceAt& balance, const BranchPoint& guide, int n) {
-  Vector right = Vector::Zero(n + 1);
-  right[n] = 1;
-  const Vector direction = bordered(balance, guide, n).partialPivLu().solve(right).normalized();
   BranchPoint tangent{};
-  std::copy(direction.begin(), direction.end(), tangent.begin());
+  tangent[n] = 1;
+  solve_bordered(balance, guide, tangent, n);
+  const double length = norm(tangent);
+  for (double& entry : tangent) entry /= length;
   return tangent;
 }
 
@@ -168,7 +165,7 @@ std::optional<BranchState> Branch::corrected(const BranchPoint& start, const Bra
     const auto at = balance_.at(x);
     if (!at) return false;
     state.balance = *at;
-    Map<Eigen::MatrixXd>(jacobian.data(), n_ + 1, n_ + 1) = bordered(*at, normal, n_);
+    fill_bordered(jacobian, *at, normal, n_);
     std::copy_n(at->imbalance.begin(), n_, residual.begin());
     residual[n_] = 0;
     for (int i = 0; i <= n_; ++i) residual[n_] += normal[i] * (x[i] - start[i]);
@@ -441,9 +438,9 @@ Reached Branch::note_closure(const BranchState& beyond) {
     if (!closed) return Reached::lost;
     const auto finer = balance_.finer_at(closed->x);
     if (!finer) return Reached::lost;
-    Vector imbalance = Vector::Zero(n_ + 1);
-    imbalance.head(n_) = Map<const Eigen::VectorXd>(finer->imbalance.data(), n_);
-    const Vector error = bordered(closed->balance, normal, n_).partialPivLu().solve(imbalance);
+    BranchPoint error{};
+    std::copy_n(finer->imbalance.begin(), n_, error.begin());
+    solve_bordered(closed->balance, normal, error, n_);
     const double relative = std::abs(error[n_] / closed->x[n_]);
     if (relative <= options_.error_goal || !balance_.refine(closed->x)) {
       return end_at({LimitKind::closure, closed->x, closed->balance, relative});
@@ -472,13 +469,20 @@ bool Branch::refine_here() {
 double Branch::error_at(const BranchPoint& x, const BalanceAt& balance) const {
   const auto finer = balance_.finer_at(x);
   if (!finer) return std::numeric_limits<double>::infinity();
-  const Matrix stiffness = Map<const Eigen::MatrixXd>(balance.stiffness.data(), n_, n_);
-  const Vector imbalance = Map<const Eigen::VectorXd>(finer->imbalance.data(), n_);
-  const BalanceAt::Vector doubts = balance_.doubt(x, balance);
-  const Vector doubt = Map<const Eigen::VectorXd>(doubts.data(), n_);
-  const Matrix inverse = stiffness.inverse();
-  const double error =
-      (2 * (inverse * imbalance).cwiseAbs() + inverse.cwiseAbs() * doubt).maxCoeff();
+  const BalanceAt::Vector doubt = balance_.doubt(x, balance);
+  BalanceAt::Matrix stiffness = balance.stiffness;
+  BalanceAt::Matrix inverse;
+  invert(std::span(stiffness).first(n_ * n_), std::span(inverse).first(n_ * n_));
+  double error = 0;
+  for (int i = 0; i < n_; ++i) {
+    double moved = 0;
+    double doubted = 0;
+    for (int j = 0; j < n_; ++j) {
+      moved += inverse[j * n_ + i] * finer->imbalance[j];
+      doubted += std::abs(inverse[j * n_ + i]) * doubt[j];
+    }
+    error = std::max(error, 2 * std::abs(moved) + doubted);
+  }
   double largest = 1;
   for (int i = 0; i < n_; ++i) largest = std::max(largest, 1 + std::abs(x[i]));
   return error + largest * std::numeric_limits<double>::epsilon();

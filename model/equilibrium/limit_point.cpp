@@ -5,31 +5,34 @@
 #include <cmath>
 #include <vector>
 
-#include <Eigen/Dense>
+#include "model/numerics/small_matrix.h"
 
 namespace latticast {
 namespace {
-
-using Eigen::Map;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 constexpr int most_iterations = 25;
 constexpr double difference_step = 1e-5;
 
 /// Eigenvector of the eigenvalue nearest to zero.
-VectorXd nearly_free_direction(const BalanceAt& balance, int n) {
-  const Map<const MatrixXd> stiffness(balance.stiffness.data(), n, n);
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(stiffness);
-  Eigen::Index nearest = 0;
-  eigen.eigenvalues().cwiseAbs().minCoeff(&nearest);
-  return eigen.eigenvectors().col(nearest);
+BalanceAt::Vector nearly_free_direction(const BalanceAt& balance, int n) {
+  BalanceAt::Matrix stiffness = balance.stiffness;
+  BalanceAt::Vector values{};
+  BalanceAt::Matrix vectors{};
+  symmetric_eigenvectors(std::span(stiffness).first(n * n), std::span(values).first(n),
+                         std::span(vectors).first(n * n));
+  int nearest = 0;
+  for (int i = 1; i < n; ++i) {
+    if (std::abs(values[i]) < std::abs(values[nearest])) nearest = i;
+  }
+  BalanceAt::Vector direction{};
+  std::copy_n(&vectors[nearest * n], n, direction.begin());
+  return direction;
 }
 
 /// d(H v)/dq = dH along v, the third derivatives being symmetric. Central differences are enough:
 /// the solution does not depend on this Jacobian, only the speed of convergence does.
-std::optional<MatrixXd> stiffness_slope(const Balance& balance, std::span<const double> x,
-                                        const VectorXd& direction) {
+std::optional<BalanceAt::Matrix> stiffness_slope(const Balance& balance, std::span<const double> x,
+                                                 std::span<const double> direction) {
   const int n = balance.free_count();
   BranchPoint ahead{};
   BranchPoint behind{};
@@ -42,38 +45,42 @@ std::optional<MatrixXd> stiffness_slope(const Balance& balance, std::span<const 
   const auto after = balance.at(ahead);
   const auto before = balance.at(behind);
   if (!after || !before) return std::nullopt;
-  return (Map<const MatrixXd>(after->stiffness.data(), n, n) -
-          Map<const MatrixXd>(before->stiffness.data(), n, n)) /
-         (2 * difference_step);
+  BalanceAt::Matrix slope{};
+  for (int i = 0; i < n * n; ++i) {
+    slope[i] = (after->stiffness[i] - before->stiffness[i]) / (2 * difference_step);
+  }
+  return slope;
 }
 
 /// Unknowns: n coordinates, pressure, v.
 bool extended_system(const Balance& balance, std::span<const double> y, std::span<double> residual,
                      std::span<double> jacobian) {
-  const Eigen::Index n = balance.free_count();
+  const int n = balance.free_count();
   const auto at = balance.at(y);
   if (!at) return false;
-  const Map<const VectorXd> v(y.data() + n + 1, n);
+  const std::span<const double> v = y.subspan(n + 1, n);
   const auto slope = stiffness_slope(balance, y, v);
   if (!slope) return false;
-  const Map<const MatrixXd> stiffness(at->stiffness.data(), n, n);
-  const Map<const VectorXd> imbalance(at->imbalance.data(), n);
-  const Map<const VectorXd> push(at->push.data(), n);
-  const Map<const MatrixXd> push_slope(at->push_slope.data(), n, n);
 
-  Map<VectorXd> f(residual.data(), 2 * n + 1);
-  f.head(n) = imbalance;
-  f.segment(n, n) = stiffness * v;
-  f[2 * n] = 0.5 * (v.squaredNorm() - 1);
-
-  Map<MatrixXd> j(jacobian.data(), 2 * n + 1, 2 * n + 1);
-  j.setZero();
-  j.topLeftCorner(n, n) = stiffness;
-  j.block(0, n, n, 1) = -push;
-  j.block(n, 0, n, n) = *slope;
-  j.block(n, n, n, 1) = -(push_slope * v);
-  j.block(n, n + 1, n, n) = stiffness;
-  j.block(2 * n, n + 1, 1, n) = v.transpose();
+  const int rows = 2 * n + 1;
+  const auto entry = [&](int row, int column) -> double& { return jacobian[column * rows + row]; };
+  std::fill(residual.begin(), residual.end(), 0.0);
+  std::fill(jacobian.begin(), jacobian.end(), 0.0);
+  residual[2 * n] = -0.5;
+  for (int j = 0; j < n; ++j) {
+    residual[j] = at->imbalance[j];
+    residual[2 * n] += 0.5 * v[j] * v[j];
+    entry(j, n) = -at->push[j];
+    entry(2 * n, n + 1 + j) = v[j];
+    for (int i = 0; i < n; ++i) {
+      const double stiffness = at->stiffness[j * n + i];
+      residual[n + i] += stiffness * v[j];
+      entry(i, j) = stiffness;
+      entry(n + i, j) = (*slope)[j * n + i];
+      entry(n + i, n) -= at->push_slope[j * n + i] * v[j];
+      entry(n + i, n + 1 + j) = stiffness;
+    }
+  }
   return true;
 }
 
@@ -85,8 +92,8 @@ std::optional<CriticalPoint> locate_limit_point(const Balance& balance, NewtonSo
   const auto near = balance.at(guess);
   if (!near) return std::nullopt;
   std::vector<double> y(guess.begin(), guess.begin() + n + 1);
-  const VectorXd start = nearly_free_direction(*near, n);
-  y.insert(y.end(), start.begin(), start.end());
+  const BalanceAt::Vector start = nearly_free_direction(*near, n);
+  y.insert(y.end(), start.begin(), start.begin() + n);
 
   const auto system = [&](std::span<const double> at, std::span<double> residual,
                           std::span<double> jacobian) {
@@ -102,9 +109,12 @@ std::optional<CriticalPoint> locate_limit_point(const Balance& balance, NewtonSo
   found.balance = *at;
   found.iterations = newton.iterations();
   // Along v the balance does not react, so an imbalance in that direction is made good by pressure.
-  const Map<const VectorXd> v(y.data() + n + 1, n);
-  const double imbalance = v.dot(Map<const VectorXd>(finer->imbalance.data(), n));
-  const double push = v.dot(Map<const VectorXd>(at->push.data(), n));
+  double imbalance = 0;
+  double push = 0;
+  for (int i = 0; i < n; ++i) {
+    imbalance += y[n + 1 + i] * finer->imbalance[i];
+    push += y[n + 1 + i] * at->push[i];
+  }
   found.pressure_error = std::abs(imbalance / (push * found.x[n]));
   return found;
 }
