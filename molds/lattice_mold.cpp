@@ -53,9 +53,7 @@ Segment grown(Segment segment, double growth) {
 }
 
 Pattern raised(Pattern pattern, double land) {
-  for (Strand& strand : pattern.strands) {
-    for (PlanePoint& p : strand.outline) p.z += land;
-  }
+  for (Strand& strand : pattern.strands) strand = moved(std::move(strand), {0, land});
   pattern.length_mm += 2 * land;
   return pattern;
 }

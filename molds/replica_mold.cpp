@@ -50,9 +50,7 @@ Height height_of(const MoldPiece& piece) {
 }
 
 Pattern raised(Pattern pattern, double by, double length) {
-  for (Strand& strand : pattern.strands) {
-    for (PlanePoint& p : strand.outline) p.z += by;
-  }
+  for (Strand& strand : pattern.strands) strand = moved(std::move(strand), {0, by});
   pattern.length_mm = length;
   return pattern;
 }

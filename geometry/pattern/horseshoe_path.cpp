@@ -56,33 +56,69 @@ int flat_steps(double radius, double arc, double flatness) {
   return steps;
 }
 
+// A corner of a polygon, and what the edge from it to the next one stands for.
+struct Corner {
+  PlanePoint point;
+  CurveRange edge;
+};
+
+CurveRange part_of(const CurveRange& range, double from, double to) {
+  return {range.curve, std::lerp(range.from, range.to, from), std::lerp(range.from, range.to, to)};
+}
+
 // The polygon's part with 0 <= z <= length (Sutherland-Hodgman against both ends). A part cut off
 // in the middle leaves an edge there and back along the end, which encloses nothing.
-std::vector<PlanePoint> clip_ends(std::vector<PlanePoint> polygon, double length) {
+std::vector<Corner> clip_ends(std::vector<Corner> polygon, double length) {
   for (const bool far_end : {false, true}) {
     const double level = far_end ? length : 0;
     const auto inside = [&](const PlanePoint& p) { return far_end ? p.z <= level : p.z >= level; };
-    std::vector<PlanePoint> kept;
+    std::vector<Corner> kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const PlanePoint& a = polygon[i];
-      const PlanePoint& b = polygon[(i + 1) % polygon.size()];
-      if (inside(a)) kept.push_back(a);
+      const auto& [a, edge] = polygon[i];
+      const PlanePoint& b = polygon[(i + 1) % polygon.size()].point;
+      if (inside(a) && inside(b)) kept.push_back(polygon[i]);
       if (inside(a) == inside(b)) continue;
-      kept.push_back({std::lerp(a.u, b.u, (level - a.z) / (b.z - a.z)), level});
+      const double part = (level - a.z) / (b.z - a.z);
+      const PlanePoint crossing{std::lerp(a.u, b.u, part), level};
+      if (inside(a)) {
+        kept.push_back({a, part_of(edge, 0, part)});
+        kept.push_back({crossing, {own_line, 0, 1}});
+      } else {
+        kept.push_back({crossing, part_of(edge, part, 1)});
+      }
     }
     polygon = std::move(kept);
   }
   return polygon;
 }
 
-void make_counter_clockwise(std::vector<PlanePoint>& polygon) {
-  double twice_area = 0;
+double twice_area(const std::vector<Corner>& polygon) {
+  double sum = 0;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const PlanePoint& a = polygon[i];
-    const PlanePoint& b = polygon[(i + 1) % polygon.size()];
-    twice_area += a.u * b.z - b.u * a.z;
+    const PlanePoint& a = polygon[i].point;
+    const PlanePoint& b = polygon[(i + 1) % polygon.size()].point;
+    sum += a.u * b.z - b.u * a.z;
   }
-  if (twice_area < 0) std::reverse(polygon.begin(), polygon.end());
+  return sum;
+}
+
+// Counter-clockwise.
+Strand strand_of(std::vector<Corner> polygon, std::vector<DrawnCurve> curves) {
+  if (twice_area(polygon) < 0) {
+    std::reverse(polygon.begin(), polygon.end());
+    const CurveRange last = polygon.front().edge;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const CurveRange& edge = i + 1 < polygon.size() ? polygon[i + 1].edge : last;
+      polygon[i].edge = {edge.curve, edge.to, edge.from};
+    }
+  }
+  Strand strand;
+  strand.curves = std::move(curves);
+  for (const auto& [point, edge] : polygon) {
+    strand.outline.push_back(point);
+    strand.traces.push_back(edge);
+  }
+  return strand;
 }
 
 class Drawer {
@@ -163,12 +199,41 @@ class Drawer {
     }
   }
 
+  // The side of a whole arc. Directions count from the arc's middle, along the strand.
+  DrawnCurve side_curve(int arc, bool outer) const {
+    const int bulge = side_of_arc(column_.shape, arc);
+    const double half_width = outer ? 0.5 * column_.width_mm : -0.5 * column_.width_mm;
+    const double middle = radians(column_.angle_deg) - bulge * 0.5 * std::numbers::pi;
+    return {.shape = CircularArc{.centre = frame_.at((arc + 0.5) * chord_,
+                                                     -bulge * radius_ * std::cos(half_)),
+                                 .radius_mm = radius_ + half_width,
+                                 .from_rad = middle - bulge * half_,
+                                 .to_rad = middle + bulge * half_},
+            .part = CurvePart::strand,
+            .link = arc,
+            .side = outer ? bulge : -bulge};
+  }
+
+  DrawnCurve cut_curve(int arc, int step) const {
+    return {.shape = StraightLine{edge(arc, step, true), edge(arc, step, false)},
+            .part = CurvePart::strand,
+            .link = arc};
+  }
+
   void add_sector(int arc, int from, int to) {
-    std::vector<PlanePoint> outline;
     if (from == to) return;
-    for (int step = from; step <= to; ++step) outline.push_back(edge(arc, step, true));
-    for (int step = to; step >= from; --step) outline.push_back(edge(arc, step, false));
-    add(std::move(outline));
+    const auto part = [&](int step) { return static_cast<double>(step) / steps_; };
+    std::vector<Corner> outline;
+    for (int step = from; step < to; ++step) {
+      outline.push_back({edge(arc, step, true), {0, part(step), part(step + 1)}});
+    }
+    outline.push_back({edge(arc, to, true), {1, 0, 1}});
+    for (int step = to; step > from; --step) {
+      outline.push_back({edge(arc, step, false), {2, part(step), part(step - 1)}});
+    }
+    outline.push_back({edge(arc, from, false), {3, 1, 0}});
+    add(std::move(outline),
+        {side_curve(arc, true), cut_curve(arc, to), side_curve(arc, false), cut_curve(arc, from)});
   }
 
   // Arcs that all bulge to one side meet at an angle.
@@ -178,13 +243,21 @@ class Drawer {
     const int steps = flat_steps(radius, 2 * std::numbers::pi, flatness_);
     const double step = 2 * std::numbers::pi / steps;
     const double outward = std::sqrt(step / std::sin(step));
-    std::vector<PlanePoint> disc;
+    const auto part = [&](int i) { return static_cast<double>(i) / steps; };
+    std::vector<Corner> disc;
     disc.reserve(steps);
     for (int i = 0; i < steps; ++i) {
-      disc.push_back(frame_.at(joint * chord_ + outward * radius * std::cos(i * step),
-                               outward * radius * std::sin(i * step)));
+      disc.push_back({frame_.at(joint * chord_ + outward * radius * std::cos(i * step),
+                                outward * radius * std::sin(i * step)),
+                      {0, part(i), part(i + 1)}});
     }
-    add(std::move(disc));
+    const double start = radians(column_.angle_deg);
+    add(std::move(disc), {{.shape = CircularArc{.centre = frame_.at(joint * chord_, 0),
+                                                .radius_mm = radius,
+                                                .from_rad = start,
+                                                .to_rad = start - 2 * std::numbers::pi},
+                           .part = CurvePart::joint,
+                           .link = joint}});
   }
 
   // The chords at an arc's ends, between the circle and the points further out, sag the most: by
@@ -199,11 +272,10 @@ class Drawer {
             static_cast<double>(drawn_.arcs.size()) * off * chord};
   }
 
-  void add(std::vector<PlanePoint> outline) {
+  void add(std::vector<Corner> outline, std::vector<DrawnCurve> curves) {
     outline = clip_ends(std::move(outline), column_.length_mm);
     if (outline.size() < 3) return;
-    make_counter_clockwise(outline);
-    drawn_.arcs.push_back({std::move(outline)});
+    drawn_.arcs.push_back(strand_of(std::move(outline), std::move(curves)));
   }
 
   const HorseshoeColumn& column_;

@@ -18,6 +18,18 @@ Strand band(double circumference, double z_from, double z_to) {
   return {{{0, z_from}, {circumference, z_from}, {circumference, z_to}, {0, z_to}}};
 }
 
+// Two of a quadrangle's sides are the strand's: they run from corners `right` and `right` + 2, the
+// right one first, in turn along the strand and against it.
+void trace_sides(Strand& strip, std::size_t right, DrawnCurve owner) {
+  strip.traces.assign(4, {own_line, 0, 1});
+  for (const std::size_t corner : {right, (right + 2) % 4}) {
+    owner.side = corner == right ? 1 : -1;
+    owner.shape = StraightLine{strip.outline[corner], strip.outline[(corner + 1) % 4]};
+    strip.traces[corner].curve = static_cast<std::uint32_t>(strip.curves.size());
+    strip.curves.push_back(owner);
+  }
+}
+
 Strand straight_strip(double start_u, double angle_deg, double width, double length) {
   const double angle = radians(angle_deg);
   const double half = 0.5 * width / std::sin(angle);
@@ -32,10 +44,13 @@ Strand straight_strip(double start_u, double angle_deg, double width, double len
 void draw_rings(const Lattice& lattice, Pattern& pattern) {
   if (!lattice.rings) return;
   const double half = 0.5 * lattice.rings->width_mm;
+  int number = 0;
   for (const double centre : ring_centres_mm(*lattice.rings, pattern.length_mm)) {
     // Flush rings end exactly on the segment's ends, whatever the rounding of centre + half.
-    pattern.strands.push_back(band(pattern.circumference_mm, std::max(0.0, centre - half),
-                                   std::min(pattern.length_mm, centre + half)));
+    Strand ring = band(pattern.circumference_mm, std::max(0.0, centre - half),
+                       std::min(pattern.length_mm, centre + half));
+    trace_sides(ring, 0, {.shape = {}, .part = CurvePart::ring, .strand = number++});
+    pattern.strands.push_back(std::move(ring));
   }
 }
 
@@ -44,16 +59,25 @@ HorseshoeColumn column_of(const Grid& grid, int strand, const Pattern& pattern) 
           grid.widths_mm[strand], pattern.length_mm};
 }
 
-void draw_grid(const Grid& grid, double flatness, Pattern& pattern) {
+void draw_family(const Grid& grid, int family, double flatness, Pattern& pattern) {
   for (int i = 0; i < grid.count(); ++i) {
     if (grid.horseshoe) {
-      const DrawnHorseshoe drawn = draw_horseshoe(column_of(grid, i, pattern), flatness);
-      pattern.strands.insert(pattern.strands.end(), drawn.arcs.begin(), drawn.arcs.end());
+      DrawnHorseshoe drawn = draw_horseshoe(column_of(grid, i, pattern), flatness);
+      for (Strand& arc : drawn.arcs) {
+        for (DrawnCurve& curve : arc.curves) {
+          curve.family = family;
+          curve.strand = i;
+        }
+        pattern.strands.push_back(std::move(arc));
+      }
       pattern.error += drawn.error;
     } else {
       const double start = i * pattern.circumference_mm / grid.count();
-      pattern.strands.push_back(
-          straight_strip(start, grid.angle_deg, grid.widths_mm[i], pattern.length_mm));
+      Strand strip = straight_strip(start, grid.angle_deg, grid.widths_mm[i], pattern.length_mm);
+      trace_sides(
+          strip, 1,
+          {.shape = {}, .part = CurvePart::strand, .family = family, .strand = i, .link = 0});
+      pattern.strands.push_back(std::move(strip));
     }
   }
 }
@@ -66,6 +90,12 @@ DrawingError& DrawingError::operator+=(const DrawingError& other) {
   return *this;
 }
 
+Strand moved(Strand strand, PlanePoint by) {
+  for (PlanePoint& p : strand.outline) p = {p.u + by.u, p.z + by.z};
+  for (DrawnCurve& curve : strand.curves) curve.shape = moved(curve.shape, by);
+  return strand;
+}
+
 Pattern draw_lattice(const Segment& segment, double flatness_mm) {
   const double circumference = segment.lattice_circumference_mm();
   Pattern pattern{circumference, segment.length_mm, {}};
@@ -73,7 +103,10 @@ Pattern draw_lattice(const Segment& segment, double flatness_mm) {
   for (const std::string& problem : drawing_problems(segment)) problems += "\n  " + problem;
   if (!problems.empty()) throw CannotDraw("the lattice cannot be drawn:" + problems);
   draw_rings(*segment.lattice, pattern);
-  for (const Grid& grid : segment.lattice->grids) draw_grid(grid, flatness_mm, pattern);
+  int family = 0;
+  for (const Grid& grid : segment.lattice->grids) {
+    draw_family(grid, family++, flatness_mm, pattern);
+  }
   return pattern;
 }
 

@@ -8,21 +8,22 @@
 #include <vector>
 
 #include "design/design.h"
+#include "geometry/pattern/plane_curve.h"
 
 namespace latticast {
-
-/// A point of the unrolled plane in mm.
-struct PlanePoint {
-  double u = 0;
-  double z = 0;
-};
 
 /// One strand's filled outline, or an arc's of it: a simple polygon, counter-clockwise seen from
 /// outside the tube, in the plane before it is made periodic, 0 <= z <= length. Where an end of the
 /// segment cuts it into several parts, edges there and back along the end join them.
 struct Strand {
   std::vector<PlanePoint> outline;
+  std::vector<DrawnCurve> curves{};  ///< that the outline follows
+  std::vector<CurveRange> traces{};  ///< of the edge from each point to the next, on `curves`;
+                                     ///< empty: every edge is a line of its own
 };
+
+/// The strand moved within the plane, its curves with it.
+Strand moved(Strand strand, PlanePoint by);
 
 /// How far what is drawn may be from what was meant.
 struct DrawingError {

@@ -21,8 +21,23 @@ struct FarPoint {
   std::int64_t z = 0;
 };
 
-ArrangedEdge ordered(GridPoint a, GridPoint b, std::int64_t winding) {
-  return a < b ? ArrangedEdge{a, b, winding} : ArrangedEdge{b, a, -winding};
+using LinePieces = std::vector<LinePiece>;
+
+// How an outline counts, and where it was drawn.
+struct Source {
+  std::int64_t winding = 0;
+  EdgeOrigin origin = on_cut;
+};
+
+ArrangedEdge ordered(GridPoint a, GridPoint b, Source source) {
+  return a < b ? ArrangedEdge{a, b, source.winding, source.origin}
+               : ArrangedEdge{b, a, -source.winding, source.origin};
+}
+
+LinePiece piece_of_line(std::int64_t from, std::int64_t to, EdgeOrigin origin) {
+  const auto [low, high] =
+      std::minmax({static_cast<std::int32_t>(from), static_cast<std::int32_t>(to)});
+  return {low, high, origin};
 }
 
 bool on_column_line(const ArrangedEdge& edge, std::int32_t column_steps) {
@@ -37,47 +52,58 @@ FarPoint to_grid(PlanePoint point, const PlaneGrid& grid) {
 // Cuts outline edges at column lines and heights and files the pieces under their columns.
 class Cutter {
  public:
-  Cutter(const PlaneGrid& grid, std::span<const std::int32_t> cuts, std::vector<Column>& columns)
-      : grid_(grid), cuts_(cuts), columns_(columns) {}
+  Cutter(std::span<const std::int32_t> cuts, Arrangement& plane)
+      : grid_(plane.grid), cuts_(cuts), plane_(plane) {}
 
-  void add_outline(const std::vector<PlanePoint>& outline, std::int64_t winding) {
+  void add_outline(const std::vector<PlanePoint>& outline, std::int64_t winding, EdgeOrigin first) {
     for (std::size_t i = 0; i < outline.size(); ++i) {
       const FarPoint from = to_grid(outline[i], grid_);
       const FarPoint to = to_grid(outline[(i + 1) % outline.size()], grid_);
       // Cut points are computed from the lower-left end, so that two outlines sharing an edge in
       // opposite directions share its cut points as well.
       const bool forward = from.u < to.u || (from.u == to.u && from.z < to.z);
-      add_edge(forward ? from : to, forward ? to : from, forward ? winding : -winding);
+      const EdgeOrigin origin = origin_of(from, to, first + static_cast<EdgeOrigin>(i));
+      add_edge(forward ? from : to, forward ? to : from, {forward ? winding : -winding, origin});
     }
   }
 
  private:
-  void add_edge(FarPoint a, FarPoint b, std::int64_t winding) {
+  EdgeOrigin origin_of(FarPoint from, FarPoint to, EdgeOrigin drawn) const {
+    if (from.z == 0 && to.z == 0) return on_segment_start;
+    if (from.z == grid_.length_steps && to.z == grid_.length_steps) return on_segment_end;
+    return drawn;
+  }
+
+  void add_edge(FarPoint a, FarPoint b, Source source) {
+    const std::int64_t width = grid_.column_steps;
     if (a.u == b.u) {
-      if (a.u % grid_.column_steps != 0) add_piece(a, b, winding);
+      if (a.u % width != 0) {
+        add_piece(a, b, source);
+      } else {
+        plane_.lines[around(a.u / width)].push_back(piece_of_line(a.z, b.z, source.origin));
+      }
       return;
     }
-    const std::int64_t width = grid_.column_steps;
     FarPoint from = a;
     for (std::int64_t line = (a.u / width - (a.u % width < 0)) * width + width; line < b.u;
          line += width) {
       const double part = static_cast<double>(line - a.u) / static_cast<double>(b.u - a.u);
       const FarPoint to{line, a.z + std::llround(part * static_cast<double>(b.z - a.z))};
-      add_piece(from, to, winding);
+      add_piece(from, to, source);
       from = to;
     }
-    add_piece(from, b, winding);
+    add_piece(from, b, source);
   }
 
   // A piece within one column; cut further where it passes a height.
-  void add_piece(FarPoint a, FarPoint b, std::int64_t winding) {
+  void add_piece(FarPoint a, FarPoint b, Source source) {
     const std::int64_t width = grid_.column_steps;
     const std::int64_t column = a.u / width - (a.u % width < 0);
     const auto local = [&](FarPoint p) {
       return GridPoint{static_cast<std::int32_t>(p.u - column * width),
                        static_cast<std::int32_t>(p.z)};
     };
-    Column& pieces = columns_[((column % grid_.columns) + grid_.columns) % grid_.columns];
+    const std::size_t home = around(column);
     GridPoint from = local(a);
     const GridPoint end = local(b);
     for (const std::int32_t height : heights_between(from.z, end.z)) {
@@ -85,17 +111,27 @@ class Cutter {
       const GridPoint to{static_cast<std::int32_t>(
                              local(a).u + std::llround(part * static_cast<double>(b.u - a.u))),
                          height};
-      add_part(pieces, from, to, winding);
+      add_part(home, from, to, source);
       from = to;
     }
-    add_part(pieces, from, end, winding);
+    add_part(home, from, end, source);
   }
 
   // A steep piece that starts on a column line may have its first part rounded onto the line.
-  void add_part(Column& pieces, GridPoint from, GridPoint to, std::int64_t winding) const {
+  void add_part(std::size_t column, GridPoint from, GridPoint to, Source source) {
     if (from == to) return;
-    const ArrangedEdge part = ordered(from, to, winding);
-    if (!on_column_line(part, grid_.column_steps)) pieces.push_back(part);
+    const ArrangedEdge part = ordered(from, to, source);
+    if (!on_column_line(part, grid_.column_steps)) {
+      plane_.columns[column].push_back(part);
+    } else {
+      const std::size_t line = from.u == 0 ? column : around(static_cast<std::int64_t>(column) + 1);
+      plane_.lines[line].push_back(piece_of_line(from.z, to.z, source.origin));
+    }
+  }
+
+  // Column or line i, counted on through any number of turns.
+  std::size_t around(std::int64_t i) const {
+    return static_cast<std::size_t>(((i % grid_.columns) + grid_.columns) % grid_.columns);
   }
 
   // The cut heights strictly between two heights, in the order in which they are passed.
@@ -109,7 +145,7 @@ class Cutter {
 
   const PlaneGrid& grid_;
   std::span<const std::int32_t> cuts_;
-  std::vector<Column>& columns_;
+  Arrangement& plane_;
 };
 
 // How far along an edge a point lies, square to it: 0 at its start, `along(edge, edge.b)` at its
@@ -148,14 +184,24 @@ GridPoint crossing_point(const ArrangedEdge& e, const ArrangedEdge& f) {
           static_cast<std::int32_t>(e.a.z + std::lround(part * (e.b.z - e.a.z)))};
 }
 
+// A line between two columns: the points and the pieces of outline on it.
+struct Line {
+  Heights& heights;
+  LinePieces& pieces;
+};
+
 // One pass over one column: finds where its edges must be cut, and cuts them.
 class ColumnSnapper {
  public:
-  ColumnSnapper(Column& edges, const Heights& left, const Heights& right, std::int32_t column_steps)
-      : edges_(edges), column_steps_(column_steps), splits_(edges.size()) {
+  ColumnSnapper(Column& edges, Line left, Line right, std::int32_t column_steps)
+      : edges_(edges),
+        left_(left),
+        right_(right),
+        column_steps_(column_steps),
+        splits_(edges.size()) {
     for (const ArrangedEdge& edge : edges) points_.insert(points_.end(), {edge.a, edge.b});
-    for (const std::int32_t z : left) points_.push_back({0, z});
-    for (const std::int32_t z : right) points_.push_back({column_steps, z});
+    for (const std::int32_t z : left.heights) points_.push_back({0, z});
+    for (const std::int32_t z : right.heights) points_.push_back({column_steps, z});
     const auto by_height = [](GridPoint p, GridPoint q) {
       return p.z != q.z ? p.z < q.z : p.u < q.u;
     };
@@ -225,7 +271,8 @@ class ColumnSnapper {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       GridPoint from = edges_[i].a;
       for (const GridPoint to : chain(edges_[i], std::move(splits_[i]))) {
-        if (from != to) add(pieces, ordered(from, to, edges_[i].winding));
+        const Source source{edges_[i].winding, edges_[i].origin};
+        if (from != to) add(pieces, ordered(from, to, source));
         from = to;
       }
     }
@@ -252,19 +299,26 @@ class ColumnSnapper {
     return stops;
   }
 
-  void add(Column& pieces, const ArrangedEdge& piece) const {
-    if (!on_column_line(piece, column_steps_)) pieces.push_back(piece);
+  void add(Column& pieces, const ArrangedEdge& piece) {
+    if (!on_column_line(piece, column_steps_)) {
+      pieces.push_back(piece);
+    } else {
+      Line& line = piece.a.u == 0 ? left_ : right_;
+      line.pieces.push_back(piece_of_line(piece.a.z, piece.b.z, piece.origin));
+    }
   }
 
   Column& edges_;
+  Line left_;
+  Line right_;
   std::int32_t column_steps_;
   std::vector<GridPoint> points_;
   std::vector<std::vector<GridPoint>> splits_;
   std::vector<char> is_touched_;  // by edge: does a known point split it in this pass?
 };
 
-// Equal pieces become one. Where two strands share a side the sum may be 0: such a piece bounds
-// nothing.
+// Equal pieces become one, which comes from the smallest origin. Where two strands share a side the
+// sum may be 0: such a piece bounds nothing.
 void merge_equal(Column& edges) {
   std::sort(edges.begin(), edges.end(), [](const ArrangedEdge& e, const ArrangedEdge& f) {
     return e.a != f.a ? e.a < f.a : e.b < f.b;
@@ -273,6 +327,7 @@ void merge_equal(Column& edges) {
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (kept > 0 && edges[kept - 1].a == edges[i].a && edges[kept - 1].b == edges[i].b) {
       edges[kept - 1].winding += edges[i].winding;
+      edges[kept - 1].origin = std::min(edges[kept - 1].origin, edges[i].origin);
     } else {
       edges[kept++] = edges[i];
     }
@@ -315,7 +370,9 @@ void snap_until_clean(Arrangement& plane) {
       if (!dirty[c]) continue;
       const int next = (c + 1) % count;
       Column& edges = plane.columns[c];
-      dirty[c] = ColumnSnapper(edges, lines[c], lines[next], width).run() ? 1 : 0;
+      const Line left{lines[c], plane.lines[c]};
+      const Line right{lines[next], plane.lines[next]};
+      dirty[c] = ColumnSnapper(edges, left, right, width).run() ? 1 : 0;
       if (!dirty[c]) continue;
       merge_equal(edges);
       if (add_heights(edges, 0, lines[c])) dirty[(c + count - 1) % count] = 1;
@@ -351,15 +408,21 @@ Arrangement arrange(std::span<const Pattern> sheets, const PlaneGrid& grid,
                         " million outline pieces; the limit is 20 million: use fewer strands, a "
                         "steeper angle, a shorter segment or a coarser tolerance");
   }
-  Arrangement plane{grid, {cuts.begin(), cuts.end()}, std::vector<Column>(grid.columns)};
-  Cutter cutter(grid, cuts, plane.columns);
+  Arrangement plane{.grid = grid,
+                    .cuts = {cuts.begin(), cuts.end()},
+                    .columns = std::vector<Column>(grid.columns),
+                    .lines = std::vector<LinePieces>(grid.columns),
+                    .drawn = drawn_edges(sheets)};
+  Cutter cutter(cuts, plane);
+  EdgeOrigin first = 0;
   for (std::size_t sheet = 0; sheet < sheets.size(); ++sheet) {
     for (const Strand& strand : sheets[sheet].strands) {
-      cutter.add_outline(strand.outline, winding_on(static_cast<int>(sheet)));
+      cutter.add_outline(strand.outline, winding_on(static_cast<int>(sheet)), first);
+      first += static_cast<EdgeOrigin>(strand.outline.size());
     }
   }
   for (Column& column : plane.columns) {
-    for (const std::int32_t z : cuts) column.push_back({{0, z}, {grid.column_steps, z}, 0});
+    for (const std::int32_t z : cuts) column.push_back({{0, z}, {grid.column_steps, z}, 0, on_cut});
     merge_equal(column);
   }
   snap_until_clean(plane);

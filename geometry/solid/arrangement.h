@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/pattern/pattern.h"
+#include "geometry/solid/drawn_edges.h"
 #include "geometry/solid/plane_grid.h"
 
 namespace latticast {
@@ -36,14 +37,24 @@ struct ArrangedEdge {
   GridPoint a;
   GridPoint b;
   std::int64_t winding = 0;
+  EdgeOrigin origin = on_cut;
 };
 
-/// Column by column. Pieces that lie on a column line are left out: what is inside on either side
+/// A piece of outline on a line between two columns.
+struct LinePiece {
+  std::int32_t low = 0;  ///< grid steps along z
+  std::int32_t high = 0;
+  EdgeOrigin origin = on_sector_line;
+};
+
+/// Column by column. Pieces that lie on a column line stand apart: what is inside on either side
 /// of the line follows from the columns themselves.
 struct Arrangement {
   PlaneGrid grid;
   std::vector<std::int32_t> cuts;  ///< heights of the cut lines, ascending
   std::vector<std::vector<ArrangedEdge>> columns;
+  std::vector<std::vector<LinePiece>> lines;  ///< line i is the left one of column i; any order
+  DrawnEdges drawn;                           ///< what the edges' origins count in
 };
 
 /// The design needs more pieces than this program will hold in memory, or its strands graze each

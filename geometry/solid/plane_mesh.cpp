@@ -38,6 +38,7 @@ class Builder {
  public:
   explicit Builder(const Region& region) : region_(region), lines_(region.grid.columns) {
     mesh_.grid = region.grid;
+    mesh_.drawn = region.drawn;
     for (int line = 0; line < region.grid.columns; ++line) {
       lines_[line] = line_points(region, line);
       first_on_line_.push_back(static_cast<std::uint32_t>(mesh_.vertices.size()));
@@ -58,7 +59,8 @@ class Builder {
     for (std::uint32_t i = 0; i + 1 < points.size(); ++i) {
       if (points[i].inside_before == points[i].inside_after) continue;
       const std::uint32_t low = first_on_line_[line] + i;
-      add_outline({low, low + 1, points[i].inside_before, points[i].inside_after});
+      add_outline({low, low + 1, points[i].inside_before, points[i].inside_after,
+                   origin_on_line(region_, line, points[i].z, points[i + 1].z)});
     }
   }
 
@@ -94,7 +96,9 @@ class Builder {
       const std::uint32_t a = index_of(column, edge.a);
       const std::uint32_t b = index_of(column, edge.b);
       bounds.push_back({a, b, edge.inside_left, edge.inside_right});
-      if (edge.is_outline()) add_outline({a, b, edge.inside_left, edge.inside_right});
+      if (edge.is_outline()) {
+        add_outline({a, b, edge.inside_left, edge.inside_right, edge.origin});
+      }
     }
     const int next = (column + 1) % region_.grid.columns;
     for (std::uint32_t i = 0; i + 1 < lines_[column].size(); ++i) {

@@ -21,6 +21,7 @@ struct OutlineEdge {
   std::uint32_t to = 0;
   Layers left = 0;  ///< layers that are material on the left of from -> to; never none
   Layers right = 0;
+  EdgeOrigin origin = on_sector_line;
 
   bool operator==(const OutlineEdge&) const = default;
 };
@@ -34,6 +35,7 @@ struct PlaneMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Layers> layers;  ///< of each triangle
   std::vector<OutlineEdge> outline;
+  DrawnEdges drawn;  ///< what the outline's origins count in
 };
 
 /// Triangulates the inside of a region; constrained Delaunay, column by column (CGAL), with some

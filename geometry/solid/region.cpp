@@ -92,17 +92,21 @@ std::vector<RegionEdge> region_edges(const std::vector<ArrangedEdge>& edges,
                                      const Filling& filling) {
   std::vector<RegionEdge> kept;
   WindingSweep(edges).run([&](const ArrangedEdge& edge, std::int64_t below, std::int64_t above) {
-    const RegionEdge side{edge.a, edge.b, filling(covering_sheets(above)),
-                          filling(covering_sheets(below))};
-    const bool on_cut =
+    RegionEdge side{edge.a, edge.b, filling(covering_sheets(above)),
+                    filling(covering_sheets(below)), edge.origin};
+    const bool is_cut =
         edge.a.z == edge.b.z && std::binary_search(cuts.begin(), cuts.end(), edge.a.z);
-    if (side.is_outline() || (side.inside_left != 0 && on_cut)) kept.push_back(side);
+    if (!side.is_outline()) side.origin = on_cut;
+    if (side.is_outline() || (side.inside_left != 0 && is_cut)) kept.push_back(side);
   });
   return kept;
 }
 
-Region region_of(const Arrangement& plane, const Filling& filling) {
-  Region region{plane.grid, {}};
+Region region_of(Arrangement plane, const Filling& filling) {
+  Region region;
+  region.grid = plane.grid;
+  region.lines = std::move(plane.lines);
+  region.drawn = std::move(plane.drawn);
   region.columns.reserve(plane.columns.size());
   for (const auto& column : plane.columns) {
     region.columns.push_back(region_edges(column, plane.cuts, filling));
@@ -217,7 +221,7 @@ ClosedPattern close_touching(Pattern pattern, const PlaneGrid& grid,
     Region region = region_of(arrange(pattern, grid, cuts), same_as_sheets);
     const std::vector<PlaneVertex> points = touching_points(region);
     if (points.empty()) {
-      region.drawn = pattern.error;
+      region.error = pattern.error;
       return {std::move(pattern), std::move(region)};
     }
     for (const PlaneVertex& point : points) pattern.strands.push_back(diamond(grid, point, half));
@@ -247,7 +251,7 @@ Region unite(Pattern pattern, const PlaneGrid& grid, std::span<const std::int32_
 Region layered_region(std::span<const Pattern> sheets, const PlaneGrid& grid,
                       std::span<const std::int32_t> cuts, const Filling& filling) {
   Region region = region_of(arrange(sheets, grid, cuts), filling);
-  for (const Pattern& sheet : sheets) region.drawn += sheet.error;
+  for (const Pattern& sheet : sheets) region.error += sheet.error;
   if (const std::vector<PlaneVertex> points = touching_points(region); !points.empty()) {
     const PlaneVertex& first = points.front();
     const double turn = (first.column + static_cast<double>(first.point.u) / grid.column_steps) /
@@ -285,6 +289,14 @@ std::vector<LinePoint> line_points(const Region& region, int line) {
   return points;
 }
 
+EdgeOrigin origin_on_line(const Region& region, int line, std::int32_t low, std::int32_t high) {
+  EdgeOrigin origin = on_sector_line;
+  for (const LinePiece& piece : region.lines[line]) {
+    if (piece.low < high && piece.high > low) origin = std::min(origin, piece.origin);
+  }
+  return origin;
+}
+
 double area_mm2(const Region& region, int layer) {
   const Layers wanted = Layers{1} << layer;
   std::int64_t twice_steps = 0;
@@ -311,7 +323,7 @@ DrawingError region_error(const Region& region, int layer) {
       snapped += std::abs(edge.b.z - edge.a.z) + std::abs(edge.b.u - edge.a.u);
     }
   }
-  DrawingError error = region.drawn;
+  DrawingError error = region.error;
   if (snapped == 0) return error;
   error.distance_mm += farthest_snap * std::hypot(grid.u_step_mm, grid.z_step_mm);
   error.area_mm2 += usual_snap * snapped * grid.u_step_mm * grid.z_step_mm;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/pattern/pattern.h"
+#include "geometry/solid/arrangement.h"
 #include "geometry/solid/plane_grid.h"
 
 namespace latticast {
@@ -23,6 +24,7 @@ struct RegionEdge {
   GridPoint b;
   Layers inside_left = 0;  ///< layers that are material on the left of a -> b
   Layers inside_right = 0;
+  EdgeOrigin origin = on_cut;
 
   bool is_outline() const { return inside_left != inside_right; }
 };
@@ -33,7 +35,9 @@ struct RegionEdge {
 struct Region {
   PlaneGrid grid;
   std::vector<std::vector<RegionEdge>> columns;
-  DrawingError drawn{};  ///< of the patterns, and of the diamonds that close touching points
+  DrawingError error{};  ///< of the patterns, and of the diamonds that close touching points
+  std::vector<std::vector<LinePiece>> lines{};  ///< pieces of outlines on the column lines
+  DrawnEdges drawn{};  ///< what origins count in: outlines of the patterns and of the diamonds
 };
 
 /// A vertex on the line between column `line - 1` and column `line`, and whether the stretch of the
@@ -66,6 +70,9 @@ Pattern closed_pattern(Pattern pattern, const PlaneGrid& grid, double closing_mm
 
 /// The vertices on a column line in ascending z, from both columns. 0 <= line < grid.columns.
 std::vector<LinePoint> line_points(const Region& region, int line);
+
+/// Where the stretch of a column line between two of its points comes from, if material ends there.
+EdgeOrigin origin_on_line(const Region& region, int line, std::int32_t low, std::int32_t high);
 
 /// Area of a layer in mm^2 at the radius where the plane is unrolled; exact on the grid.
 double area_mm2(const Region& region, int layer = 0);

@@ -79,11 +79,11 @@ void expect_closed_but_for_the_outline(const PlaneMesh& mesh) {
     for (int i = 0; i < 3; ++i) ++sides[{t[i], t[(i + 1) % 3]}];
   }
   std::set<std::pair<std::uint32_t, std::uint32_t>> outline;
-  for (const auto& [from, to, left, right] : mesh.outline) {
-    ASSERT_TRUE(left == 1 && right == 0);
-    ASSERT_TRUE(outline.insert({from, to}).second) << "an outline edge is listed twice";
-    ASSERT_EQ(sides.count({from, to}), 1U);
-    ASSERT_EQ(sides.count({to, from}), 0U);
+  for (const OutlineEdge& edge : mesh.outline) {
+    ASSERT_TRUE(edge.left == 1 && edge.right == 0);
+    ASSERT_TRUE(outline.insert({edge.from, edge.to}).second) << "an outline edge is listed twice";
+    ASSERT_EQ(sides.count({edge.from, edge.to}), 1U);
+    ASSERT_EQ(sides.count({edge.to, edge.from}), 0U);
   }
   for (const auto& [side, count] : sides) {
     ASSERT_EQ(count, 1);
