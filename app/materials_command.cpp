@@ -11,24 +11,6 @@
 namespace latticast {
 namespace {
 
-std::string law_text(const Law& law) {
-  struct {
-    std::string operator()(const Linear& l) const {
-      return fmt::format("linear, E = {:g} MPa, nu = {:g}", l.youngs_modulus_mpa, l.poisson_ratio);
-    }
-    std::string operator()(const NeoHookean& l) const {
-      return fmt::format("neo-hookean, mu = {:g} MPa", l.shear_modulus_mpa);
-    }
-    std::string operator()(const Yeoh& l) const {
-      return fmt::format("yeoh, c1 = {:g}, c2 = {:g}, c3 = {:g} MPa", l.c1_mpa, l.c2_mpa, l.c3_mpa);
-    }
-    std::string operator()(const Gent& l) const {
-      return fmt::format("gent, mu = {:g} MPa, jm = {:g}", l.shear_modulus_mpa, l.limit_jm);
-    }
-  } text;
-  return std::visit(text, law);
-}
-
 std::string entry_text(const Material& material) {
   std::string text =
       fmt::format("{}\n  law                  {}\n", material.name, law_text(material.law));

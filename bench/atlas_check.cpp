@@ -301,7 +301,7 @@ std::vector<Judgement> examine(const AtlasDesign& design) {
 }
 
 double fitting_pressure_kpa(const AtlasDesign& design) {
-  double pressure = rest_shear_modulus(design.segment.liner.material.law) * kpa_per_mpa *
+  double pressure = rest_shear_modulus_mpa(design.segment.liner.material.law) * kpa_per_mpa *
                     design.segment.liner.thickness_mm / design.segment.inner_radius_mm();
   try {
     const double little = 1e-6 * pressure;

@@ -134,9 +134,7 @@ void check_ring_distance(const LoadedSegment& loaded, CheckFindings& findings) {
   if (!segment.lattice || !segment.lattice->rings) return;
   const Rings& rings = *segment.lattice->rings;
   if (ring_centres_mm(rings, segment.length_mm).size() < 2) return;
-  const auto* linear = std::get_if<Linear>(&segment.liner.material.law);
-  const double modulus =
-      linear ? linear->youngs_modulus_mpa / 3 : rest_shear_modulus(segment.liner.material.law);
+  const double modulus = rest_shear_modulus_mpa(segment.liner.material.law);
   if (strands_hold_the_tube(segment, modulus)) return;
   const double clear = ring_pitch_mm(rings, segment.length_mm) - rings.width_mm;
   const double limit = longest_clear_span_mm(segment.liner, modulus);

@@ -19,7 +19,8 @@ namespace latticast {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double largest_gent_use = 0.9;  // from here its stress grows more than tenfold
+constexpr double largest_limit_use =
+    0.9;  // from here a Gent rubber's stress grows more than tenfold
 constexpr double largest_lock_use = 0.95;
 
 double straight_strain(const Segment& segment, const Grid& grid, const State& state) {
@@ -69,12 +70,14 @@ double liner_strain(const Segment& segment, const State& state) {
   return largest;
 }
 
-double gent_use(const Segment& segment, const Gent& law, const State& state) {
+/// (I1 - 3) where it is largest, against the law's limit of it.
+double limit_use(const Segment& segment, const State& state) {
+  const double limit = first_invariant_limit(segment.liner.material.law);
   double largest = 0;
   for (const double side : {lengthened_side_rad(state), lengthened_side_rad(state) + pi}) {
     for (const double radius : {segment.inner_radius_mm(), segment.liner_outer_radius_mm()}) {
       const WallStretch at = wall_stretch(segment, state, radius, side);
-      largest = std::max(largest, at.first_invariant_minus_3() / law.limit_jm);
+      largest = std::max(largest, at.first_invariant_minus_3() / limit);
     }
   }
   return largest;
@@ -114,14 +117,10 @@ void check_liner(const LoadedSegment& loaded, CheckFindings& findings) {
   check_material(
       loaded, material, {"liner-overstrained", "liner-law-exceeded"}, "liner",
       [&](const State& state) { return liner_strain(segment, state); }, findings);
-  const auto* gent = std::get_if<Gent>(&material.law);
-  if (gent == nullptr) return;
-  const Measure use{"liner-law-exceeded",
-                    "liner",
-                    "of Jm",
-                    largest_gent_use,
-                    true,
-                    [&](const State& state) { return gent_use(segment, *gent, state); }};
+  if (std::isinf(first_invariant_limit(material.law))) return;
+  const Measure use{
+      "liner-law-exceeded", "liner", "of Jm",
+      largest_limit_use,    true,    [&](const State& state) { return limit_use(segment, state); }};
   const auto beyond = excess(loaded, use);
   if (!beyond) return;
   CheckFinding finding = finding_of(loaded, use, *beyond);

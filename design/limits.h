@@ -5,20 +5,9 @@
 
 #include <cstddef>
 
+#include "design/material/range.h"
+
 namespace latticast {
-
-/// The numbers from `low` to `high`; with `ends_excluded`, neither of the two. Not a number is
-/// outside.
-struct Range {
-  double low = 0;
-  double high = 0;
-  const char* unit = "";  ///< empty: a pure number
-  bool ends_excluded = false;
-
-  bool contains(double x) const {
-    return ends_excluded ? x > low && x < high : x >= low && x <= high;
-  }
-};
 
 namespace limits {
 
@@ -32,10 +21,6 @@ inline constexpr Range horseshoe_arc{20, 300, "degrees"};
 inline constexpr Range pressure{-1e5, 1e5, "kPa"};
 inline constexpr Range tolerance{1e-5, 1, "mm"};
 
-inline constexpr Range modulus{1e-6, 1e6, "MPa"};
-inline constexpr Range stiffening{-1e6, 1e6, "MPa"};  ///< Yeoh's c2 and c3, of either sign
-inline constexpr Range poisson_ratio{0, 0.5};
-inline constexpr Range gent_limit{1e-3, 1e6};
 inline constexpr Range strain{1e-3, 100};
 inline constexpr Range density{0.01, 30, "g/cm3"};
 inline constexpr Range shrinkage{0, 0.2};

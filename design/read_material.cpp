@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/read_material.h"
 
-#include <array>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -10,51 +10,53 @@
 namespace latticast {
 namespace {
 
-enum class LawKind { unknown, linear, neo_hookean, yeoh, gent };
-
-constexpr Word<LawKind> law_words[] = {{"linear", LawKind::linear},
-                                       {"neo-hookean", LawKind::neo_hookean},
-                                       {"yeoh", LawKind::yeoh},
-                                       {"gent", LawKind::gent}};
 constexpr std::string_view inline_hint =
     R"(write a material's name, or a table as in { law = "neo-hookean", mu = 0.08 })";
 
-Law read_linear(TableReader& table) {
-  return Linear{.youngs_modulus_mpa = table.need("E", "E = 19.46").number(limits::modulus),
-                .poisson_ratio = table.may("nu").number_or(0.5, limits::poisson_ratio)};
+/// The law of that name with its constants still to be read; empty when absent or refused.
+template <class... Laws>
+std::optional<Law> law_called(const Field& field, const std::variant<Laws...>*) {
+  const Word<std::optional<Law>> words[] = {{Laws::name, Laws{}}...};
+  return field.word_or(std::optional<Law>(), words);
 }
 
-Law read_neo_hookean(TableReader& table) {
-  return NeoHookean{.shear_modulus_mpa = table.need("mu", "mu = 0.08").number(limits::modulus)};
+/// Counts the constants of all laws as known keys.
+template <class... Laws>
+void allow_every_constant(TableReader& table, const std::variant<Laws...>*) {
+  const auto allow = [&table](const auto& keys) {
+    for (const auto& key : keys) table.may(key.key);
+  };
+  (allow(Laws::keys), ...);
 }
 
-Law read_yeoh(TableReader& table) {
-  return Yeoh{.c1_mpa = table.need("c1", "c1 = 0.04").number(limits::modulus),
-              .c2_mpa = table.may("c2").number_or(0, limits::stiffening),
-              .c3_mpa = table.may("c3").number_or(0, limits::stiffening)};
-}
-
-Law read_gent(TableReader& table) {
-  return Gent{.shear_modulus_mpa = table.need("mu", "mu = 0.08").number(limits::modulus),
-              .limit_jm = table.need("jm", "jm = 60").number(limits::gent_limit)};
+template <class L>
+void read_constant(TableReader& table, const LawKey<L>& key, L& law) {
+  const bool optional = key.example.empty();
+  const Field field = optional ? table.may(key.key) : table.need(key.key, key.example);
+  if (const auto* number = std::get_if<double L::*>(&key.member)) {
+    law.** number = optional ? field.number_or(law.**number, key.range) : field.number(key.range);
+  } else {
+    law.*std::get<std::vector<double> L::*>(key.member) =
+        field.numbers(1, most_law_terms, key.range);
+  }
 }
 
 std::optional<Law> read_law(TableReader& table) {
-  switch (table.need("law", R"(law = "neo-hookean")").word_or(LawKind::unknown, law_words)) {
-    case LawKind::linear:
-      return read_linear(table);
-    case LawKind::neo_hookean:
-      return read_neo_hookean(table);
-    case LawKind::yeoh:
-      return read_yeoh(table);
-    case LawKind::gent:
-      return read_gent(table);
-    case LawKind::unknown:
-      break;
+  constexpr const Law* any = nullptr;
+  std::optional<Law> law = law_called(table.need("law", R"(law = "neo-hookean")"), any);
+  if (!law) {
+    // Without its law nobody can say which constants belong: blame the law alone.
+    allow_every_constant(table, any);
+    return std::nullopt;
   }
-  // Without its law nobody can say which constants belong: blame the law alone.
-  for (const char* constant : {"E", "nu", "mu", "c1", "c2", "c3", "jm"}) table.may(constant);
-  return std::nullopt;
+  const auto read = [&table]<class L>(L& chosen) {
+    for (const LawKey<L>& key : L::keys) read_constant(table, key, chosen);
+  };
+  std::visit(read, *law);
+  if (const std::string fault = law_fault(*law); !fault.empty()) {
+    table.table().refuse(fault, "compare the constants and their signs with their source");
+  }
+  return law;
 }
 
 void read_modulus_band(const Field& field, Material& material) {
@@ -111,11 +113,6 @@ std::optional<Material> read_material(const Field& field, const MaterialLibrary&
   if (found != library.end()) return found->second;
   field.refuse("is not in the materials library", name_hint(*name, names_of(library), "materials"));
   return std::nullopt;
-}
-
-std::string_view law_name(const Law& law) {
-  constexpr std::array<std::string_view, 4> names = {"linear", "neo-hookean", "yeoh", "gent"};
-  return names[law.index()];
 }
 
 }  // namespace latticast

@@ -16,7 +16,4 @@ std::optional<Material> read_library_entry(const std::string& name, const Field&
 /// unknown law.
 std::optional<Material> read_material(const Field& field, const MaterialLibrary& library);
 
-/// "linear", "neo-hookean", "yeoh" or "gent", as the design file spells them.
-std::string_view law_name(const Law& law);
-
 }  // namespace latticast

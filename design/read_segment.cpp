@@ -19,7 +19,7 @@ void check_liner_law(const Material& material, ColumnModel columns, const Field&
                  R"(use "ecoflex-00-50-linear" or { law = "linear", E = 0.082, nu = 0.499 })");
   }
   if (columns == ColumnModel::distributed && linear) {
-    field.refuse("must be a rubber (neo-hookean, yeoh or gent), not linear",
+    field.refuse(fmt::format("must be a rubber ({}), not linear", rubber_law_names()),
                  R"(use "ecoflex-00-50" or { law = "neo-hookean", mu = 0.08 })");
   }
 }

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 #include <set>
-#include <type_traits>
 #include <variant>
 
 #include <fmt/core.h>
@@ -90,33 +89,25 @@ Json design_json(const Design& design) {
           {"tolerance_mm", design.output.tolerance_mm}};
 }
 
-Json law_json(const Law& law) {
-  return std::visit(
-      [](const auto& l) -> Json {
-        using L = std::decay_t<decltype(l)>;
-        if constexpr (std::is_same_v<L, Linear>) {
-          return {{"name", "linear"},
-                  {"parameters", {{"E_MPa", l.youngs_modulus_mpa}, {"nu", l.poisson_ratio}}}};
-        } else if constexpr (std::is_same_v<L, NeoHookean>) {
-          return {{"name", "neo-hookean"}, {"parameters", {{"mu_MPa", l.shear_modulus_mpa}}}};
-        } else if constexpr (std::is_same_v<L, Yeoh>) {
-          return {
-              {"name", "yeoh"},
-              {"parameters", {{"c1_MPa", l.c1_mpa}, {"c2_MPa", l.c2_mpa}, {"c3_MPa", l.c3_mpa}}}};
-        } else {
-          return {{"name", "gent"},
-                  {"parameters", {{"mu_MPa", l.shear_modulus_mpa}, {"jm", l.limit_jm}}}};
-        }
-      },
-      law);
+Json parameters_json(const Law& law) {
+  Json parameters = Json::object();
+  for (const LawConstant& constant : constants_of(law)) {
+    std::string key(constant.key);
+    if (!constant.unit.empty()) key += fmt::format("_{}", constant.unit);
+    parameters[key] = constant.is_list ? Json(constant.values) : Json(constant.values.front());
+  }
+  return parameters;
+}
+
+bool is_same_law(const Law& a, const Law& b) {
+  return law_name(a) == law_name(b) && parameters_json(a) == parameters_json(b);
 }
 
 Json material_json(const Material& material, const std::set<std::string>& roles) {
-  const Json law = law_json(material.law);
   return {{"name", material.name},
           {"role", roles},
-          {"law", law["name"]},
-          {"parameters", law["parameters"]},
+          {"law", law_name(material.law)},
+          {"parameters", parameters_json(material.law)},
           {"density_g_per_cm3", or_null(material.density_g_per_cm3)},
           {"source", material.source},
           {"note", material.note}};
@@ -127,7 +118,7 @@ Json materials_json(const Design& design) {
   std::vector<std::pair<const Material*, std::set<std::string>>> used;
   const auto add = [&](const Material& material, const char* role) {
     for (auto& [known, roles] : used) {
-      if (known->name != material.name || law_json(known->law) != law_json(material.law)) continue;
+      if (known->name != material.name || !is_same_law(known->law, material.law)) continue;
       roles.insert(role);
       return;
     }

@@ -138,9 +138,7 @@ Rods prepare_rods(const Segment& segment, const HorseshoeLaws& known) {
   rods.inner_radius_mm = segment.inner_radius_mm();
   rods.liner_outer_radius_mm = segment.liner_outer_radius_mm();
   rods.outer_radius_mm = segment.outer_radius_mm();
-  const auto* linear = std::get_if<Linear>(&segment.liner.material.law);
-  rods.youngs_modulus_mpa = linear != nullptr ? linear->youngs_modulus_mpa
-                                              : 3 * rest_shear_modulus(segment.liner.material.law);
+  rods.youngs_modulus_mpa = 3 * rest_shear_modulus_mpa(segment.liner.material.law);
   const double inside = rods.liner_outer_radius_mm;
   const double outside = rods.outer_radius_mm;
   // (2/3)(R_o^3 - R_m^3)/(R_o^2 - R_m^2), with the common factor taken out.

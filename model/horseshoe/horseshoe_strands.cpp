@@ -10,16 +10,6 @@
 
 namespace latticast {
 
-double rest_shear_modulus(const Law& law) {
-  if (const auto* rubber = std::get_if<NeoHookean>(&law)) return rubber->shear_modulus_mpa;
-  if (const auto* rubber = std::get_if<Yeoh>(&law)) return 2 * rubber->c1_mpa;
-  if (const auto* rubber = std::get_if<Gent>(&law)) return rubber->shear_modulus_mpa;
-  throw UnsupportedDesign(
-      "the liner has a linear law, which only axial columns under columns = \"rods\" can use; "
-      "other "
-      "sections need a rubber (neo-hookean, yeoh or gent)");
-}
-
 double strand_modulus_mpa(const Lattice& lattice) {
   if (const auto* linear = std::get_if<Linear>(&lattice.material.law)) {
     return linear->youngs_modulus_mpa;

@@ -12,9 +12,6 @@
 
 namespace latticast {
 
-/// Shear modulus at rest in MPa of a rubber. Throws UnsupportedDesign for a linear law.
-double rest_shear_modulus(const Law& law);
-
 /// E of the lattice in MPa. Throws UnsupportedDesign when its material is not linear.
 double strand_modulus_mpa(const Lattice& lattice);
 

@@ -268,6 +268,14 @@ void add_lattice(const Segment& segment, const ModelChoice& model, const Horsesh
   settle_symmetry(segment, model, section);
 }
 
+const Law& rubber_law(const Material& liner) {
+  if (!std::holds_alternative<Linear>(liner.law)) return liner.law;
+  throw UnsupportedDesign(
+      "the liner has a linear law, which only axial columns under columns = \"rods\" can use; "
+      "other sections need a rubber (" +
+      rubber_law_names() + ")");
+}
+
 std::vector<QuadraturePoint> points_between(double from, double to, int count) {
   if (!(to > from)) return {};
   const GaussRule rule = gauss_legendre(count);
@@ -299,8 +307,8 @@ Section prepare_section(const Segment& segment, const ModelChoice& model,
   section.isotropic_from_mm = section.inner_radius_mm;
   section.isotropic_to_mm = section.liner_outer_radius_mm;
   section.anisotropic_from_mm = section.anisotropic_to_mm = section.liner_outer_radius_mm;
-  section.liner_law = segment.liner.material.law;
-  section.shear_modulus_mpa = rest_shear_modulus(section.liner_law);
+  section.liner_law = rubber_law(segment.liner.material);
+  section.shear_modulus_mpa = rest_shear_modulus_mpa(section.liner_law);
   section.isotropic = true;
   if (segment.lattice) add_lattice(segment, model, known, section);
   return section;

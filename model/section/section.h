@@ -73,7 +73,7 @@ struct Section {
   double anisotropic_from_mm = 0;  ///< ... and the ring and strand energies over these;
   double anisotropic_to_mm = 0;    ///< equal bounds: no lattice
   double isotropic_fraction = 1;   ///< 1, or c1 of the mixture wall
-  Law liner_law;                   ///< NeoHookean, Yeoh or Gent
+  Law liner_law;                   ///< of a rubber, never Linear
   double shear_modulus_mpa = 0;    ///< of the liner at rest
   double ring_modulus_mpa = 0;     ///< E times the fraction of the layer that the rings fill
   std::vector<StrandFamily> families;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Strain energies as their authors wrote them, in principal stretches: what the laws of
+// design/material are compared with.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <variant>
+#include <vector>
+
+#include "design/material/law.h"
+
+namespace latticast::testing {
+
+using Stretches = std::array<long double, 3>;
+
+inline long double sum_of_powers(const Stretches& stretches, long double exponent) {
+  long double sum = 0;
+  for (const long double stretch : stretches) sum += std::pow(stretch, exponent);
+  return sum;
+}
+
+struct LiteralEnergy {
+  Stretches stretches;
+
+  long double first_invariant() const { return sum_of_powers(stretches, 2) - 3; }
+
+  long double operator()(const Linear& law) const {
+    return law.youngs_modulus_mpa / 6.0L * first_invariant();
+  }
+  long double operator()(const NeoHookean& law) const {
+    return law.shear_modulus_mpa / 2.0L * first_invariant();
+  }
+  long double operator()(const Yeoh& law) const {
+    const long double j = first_invariant();
+    return law.c1_mpa * j + law.c2_mpa * j * j + law.c3_mpa * j * j * j;
+  }
+  long double operator()(const Gent& law) const {
+    const long double limit = law.limit_jm;
+    return -law.shear_modulus_mpa * limit / 2 * std::log(1 - first_invariant() / limit);
+  }
+};
+
+/// In MPa. Precondition: the product of the stretches is 1.
+inline long double literal_energy(const Law& law, const Stretches& stretches) {
+  return std::visit(LiteralEnergy{stretches}, law);
+}
+
+/// At least one of every rubber.
+inline std::vector<Law> example_rubbers() {
+  return {NeoHookean{0.08}, Yeoh{0.04, -0.002, 0.0003}, Gent{0.08, 12}};
+}
+
+}  // namespace latticast::testing
