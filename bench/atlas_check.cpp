@@ -8,6 +8,8 @@
 
 #include "bench/plain_path.h"
 #include "model/horseshoe/horseshoe_strands.h"
+#include "model/section/section_energy.h"
+#include "model/segment_response.h"
 
 namespace latticast {
 namespace {

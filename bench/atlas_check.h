@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "model/segment_response.h"
+#include "design/design.h"
+#include "model/equilibrium/state.h"
 
 namespace latticast {
 

@@ -14,6 +14,7 @@
 
 #include "bench/study.h"
 #include "model/chain.h"
+#include "model/segment_response.h"
 #include "tests/unit/model/segments.h"
 
 namespace {

@@ -9,6 +9,8 @@
 
 #include <Eigen/Dense>
 
+#include "model/section/section_energy.h"
+
 namespace latticast {
 namespace {
 

@@ -6,8 +6,8 @@
 #include <array>
 #include <optional>
 
-#include "model/section/section.h"
-#include "model/segment_response.h"
+#include "model/equilibrium/state.h"
+#include "model/section/quadrature.h"
 
 namespace latticast {
 

@@ -8,7 +8,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "model/section/section.h"
+#include "model/section/section_energy.h"
+#include "model/section/section_reading.h"
 #include "model/segment_response.h"
 
 namespace {

@@ -16,6 +16,7 @@
 #include "bench/cvode_path.h"
 #include "bench/study.h"
 #include "model/chain.h"
+#include "model/segment_response.h"
 #include "tests/unit/model/segments.h"
 
 namespace {

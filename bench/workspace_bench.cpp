@@ -6,6 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include "model/chain.h"
+#include "model/segment_response.h"
 
 namespace {
 

@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "model/segment_response.h"
+
 namespace latticast {
 namespace {
 

@@ -10,7 +10,8 @@
 
 #include "checks/check_finding.h"
 #include "design/design.h"
-#include "model/segment_response.h"
+#include "model/equilibrium/response.h"
+#include "model/prepared_segment.h"
 
 namespace latticast {
 

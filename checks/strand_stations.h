@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "design/design.h"
-#include "model/segment_response.h"
+#include "model/equilibrium/state.h"
 
 namespace latticast {
 

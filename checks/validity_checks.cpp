@@ -10,6 +10,7 @@
 #include <fmt/core.h>
 
 #include "design/units.h"
+#include "model/segment_response.h"
 
 namespace latticast {
 namespace {

@@ -11,7 +11,7 @@
 
 #include "design/units.h"
 #include "geometry/pattern/rings.h"
-#include "model/section/section.h"
+#include "model/section/section_energy.h"
 #include "model/shape/inflated_wall.h"
 
 namespace latticast {

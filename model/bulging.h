@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "design/design.h"
-#include "model/segment_response.h"
+#include "model/equilibrium/state.h"
+#include "model/prepared_segment.h"
 
 namespace latticast {
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "model/horseshoe/horseshoe_strands.h"
+#include "model/segment_response.h"
 
 namespace latticast {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "design/design.h"
-#include "model/segment_response.h"
+#include "model/equilibrium/response.h"
 #include "model/shape/shape.h"
 
 namespace latticast {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "design/units.h"
+#include "model/segment_response.h"
 
 namespace latticast {
 namespace {

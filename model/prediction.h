@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "design/design.h"
-#include "model/segment_response.h"
+#include "model/equilibrium/response.h"
 
 namespace latticast {
 

@@ -13,6 +13,7 @@
 #include "model/effective_rods/rods_response.h"
 #include "model/equilibrium/branch.h"
 #include "model/equilibrium/turning_name.h"
+#include "model/section/section_energy.h"
 
 namespace latticast {
 namespace {
@@ -206,18 +207,6 @@ class Prediction {
 };
 
 }  // namespace
-
-PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model,
-                                const HorseshoeLaws& known) {
-  if (model.columns == ColumnModel::rods) {
-    return {segment.length_mm, prepare_rods(segment, known)};
-  }
-  return {segment.length_mm, prepare_section(segment, model, known)};
-}
-
-HorseshoeLaws laws_of(const PreparedSegment& segment) {
-  return std::visit([](const auto& section) { return laws_of(section); }, segment.section);
-}
 
 Response predict(const PreparedSegment& segment, std::span<const double> pressures_kpa, Held held,
                  const SolverOptions& options) {

@@ -4,29 +4,12 @@
 #pragma once
 
 #include <span>
-#include <variant>
 
 #include "design/design.h"
-#include "model/effective_rods/rods.h"
 #include "model/equilibrium/response.h"
-#include "model/section/section.h"
+#include "model/prepared_segment.h"
 
 namespace latticast {
-
-/// A segment with everything that does not depend on pressure: its symmetry settled, its horseshoe
-/// laws built. Immutable: any number of predictions, on any number of threads, may share it.
-struct PreparedSegment {
-  double length_mm = 0;
-  std::variant<Section, Rods> section;
-};
-
-/// Prepares a segment under the chosen column model, reusing `known` laws where they fit. Throws
-/// UnsupportedDesign as prepare_section and prepare_rods do.
-PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model,
-                                const HorseshoeLaws& known = {});
-
-/// The laws that a prepared segment uses.
-HorseshoeLaws laws_of(const PreparedSegment& segment);
 
 /// Follows the equilibrium from the rest state to every requested pressure (kPa; any order,
 /// duplicates, zero and suction allowed) and never jumps to another branch: a step counts only if

@@ -7,6 +7,8 @@
 
 #include "design/units.h"
 #include "model/numerics/small_matrix.h"
+#include "model/section/section_energy.h"
+#include "model/segment_response.h"
 
 namespace latticast {
 namespace {

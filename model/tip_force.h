@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "model/segment_response.h"
+#include "model/prepared_segment.h"
 
 namespace latticast {
 

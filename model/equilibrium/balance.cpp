@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "model/numerics/small_matrix.h"
+#include "model/section/section_energy.h"
 
 namespace latticast {
 namespace {

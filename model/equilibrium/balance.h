@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/equilibrium/response.h"
-#include "model/section/section.h"
+#include "model/section/quadrature.h"
 
 namespace latticast {
 

@@ -7,6 +7,7 @@
 
 #include "model/equilibrium/turning_point.h"
 #include "model/numerics/small_matrix.h"
+#include "model/section/section_energy.h"
 
 namespace latticast {
 namespace {

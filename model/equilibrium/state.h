@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "model/section/section.h"
+#include "model/section/deformation.h"
 
 namespace latticast {
 

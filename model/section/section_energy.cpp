@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/section/section_energy.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <variant>
-
-#include "model/section/section.h"
 
 namespace latticast {
 namespace {
@@ -414,14 +414,6 @@ std::optional<HorseshoeStrain> most_strained_horseshoe(const Section& section,
     }
   }
   return worst;
-}
-
-double current_radius_mm(double inner_radius_mm, double reference_radius_mm,
-                         const Deformation& at) {
-  const double inner = inner_radius_mm + at.inner_growth;
-  const double outside =
-      (reference_radius_mm - inner_radius_mm) * (reference_radius_mm + inner_radius_mm);
-  return std::sqrt(inner * inner + outside / (1 + at.elongation));
 }
 
 }  // namespace latticast

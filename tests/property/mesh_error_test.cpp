@@ -18,7 +18,6 @@
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/fillet.h"
-#include "model/segment_response.h"
 #include "report/preview.h"
 #include "tests/property/exact_solid.h"
 #include "tests/unit/export/test_folder.h"

@@ -15,6 +15,7 @@
 #include "checks/strand_stations.h"
 #include "design/material_library.h"
 #include "design/read_design.h"
+#include "model/segment_response.h"
 #include "model/shape/inflated_wall.h"
 #include "tests/unit/model/segments.h"
 

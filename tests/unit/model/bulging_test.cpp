@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/segment_response.h"
 #include "model/shape/inflated_wall.h"
 #include "tests/golden/finite_element_cell.h"
 #include "tests/unit/model/segments.h"

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/section/section_energy.h"
+#include "model/section/section_reading.h"
 #include "model/segment_response.h"
 #include "tests/unit/model/segments.h"
 

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "model/numerics/gauss.h"
+#include "model/section/section_energy.h"
+#include "model/section/section_reading.h"
 #include "model/segment_response.h"
 #include "tests/unit/model/segments.h"
 

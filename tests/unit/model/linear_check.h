@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/section/section.h"
+#include "model/section/section_energy.h"
 
 namespace latticast::testing {
 

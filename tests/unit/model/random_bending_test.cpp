@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/section/quadrature.h"
 #include "model/segment_response.h"
 #include "tests/unit/model/linear_check.h"
 #include "tests/unit/model/random_examples.h"

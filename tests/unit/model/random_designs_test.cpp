@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/section/section_energy.h"
+#include "model/section/section_reading.h"
 #include "model/segment_response.h"
 #include "tests/unit/model/random_examples.h"
 #include "tests/unit/model/segments.h"

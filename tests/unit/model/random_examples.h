@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "model/segment_response.h"
+#include "model/equilibrium/state.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {

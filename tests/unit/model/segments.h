@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "design/design.h"
-#include "model/section/section.h"
 #include "tests/random_numbers.h"
 
 namespace latticast::testing {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/segment_response.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {

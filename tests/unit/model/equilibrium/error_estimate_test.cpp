@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/segment_response.h"
 #include "tests/unit/model/linear_check.h"
 #include "tests/unit/model/random_examples.h"
 #include "tests/unit/model/section/exact_gradient.h"

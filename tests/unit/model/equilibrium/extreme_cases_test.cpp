@@ -9,6 +9,8 @@
 #include "bench/atlas_check.h"
 #include "bench/atlas_designs.h"
 #include "bench/plain_path.h"
+#include "model/section/section_energy.h"
+#include "model/section/section_reading.h"
 #include "model/segment_response.h"
 #include "tests/unit/model/segments.h"
 

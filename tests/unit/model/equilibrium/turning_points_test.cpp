@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "model/section/section_energy.h"
 #include "model/segment_response.h"
 #include "tests/unit/model/linear_check.h"
 #include "tests/unit/model/segments.h"

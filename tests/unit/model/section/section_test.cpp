@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The stored energy against a separate, literal evaluation of its definition in extended precision.
-#include "model/section/section.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/section/section_energy.h"
+#include "model/section/section_reading.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {

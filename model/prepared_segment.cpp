@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/prepared_segment.h"
+
+#include "model/section/section_reading.h"
+
+namespace latticast {
+
+PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model,
+                                const HorseshoeLaws& known) {
+  if (model.columns == ColumnModel::rods) {
+    return {segment.length_mm, prepare_rods(segment, known)};
+  }
+  return {segment.length_mm, prepare_section(segment, model, known)};
+}
+
+HorseshoeLaws laws_of(const PreparedSegment& segment) {
+  return std::visit([](const auto& section) { return laws_of(section); }, segment.section);
+}
+
+}  // namespace latticast

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A segment prepared for prediction: everything of its model that does not depend on pressure.
+#pragma once
+
+#include <variant>
+
+#include "design/design.h"
+#include "model/effective_rods/rods.h"
+#include "model/horseshoe/horseshoe_law.h"
+#include "model/section/section.h"
+
+namespace latticast {
+
+/// A segment with everything that does not depend on pressure: its symmetry settled, its horseshoe
+/// laws built. Immutable: any number of predictions, on any number of threads, may share it.
+struct PreparedSegment {
+  double length_mm = 0;
+  std::variant<Section, Rods> section;
+};
+
+/// Prepares a segment under the chosen column model, reusing `known` laws where they fit. Throws
+/// UnsupportedDesign as prepare_section and prepare_rods do.
+PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model,
+                                const HorseshoeLaws& known = {});
+
+/// The laws that a prepared segment uses.
+HorseshoeLaws laws_of(const PreparedSegment& segment);
+
+}  // namespace latticast
