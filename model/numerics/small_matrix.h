@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dense linear algebra of small systems: Gaussian elimination with partial pivoting and the cyclic
-// Jacobi method for symmetric eigenproblems ([Golub 2013] 3.4 and 8.5).
+// Dense linear algebra of small systems, by Eigen: LU with partial pivoting, and tridiagonal QR for
+// symmetric eigenproblems. Plain spans, so that Eigen's templates are compiled once
+// (docs/decisions/0010-small-matrices.md).
 //
 // Matrices are square, n x n with 1 <= n <= largest_matrix, column after column; vectors have n
-// entries. Nothing is allocated. Why not a library: docs/decisions/0010-small-matrices.md.
+// entries. Nothing is allocated.
 #pragma once
 
 #include <array>
