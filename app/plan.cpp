@@ -76,11 +76,11 @@ bool has_lattice(const Design& design) {
                      [](const Segment& segment) { return segment.lattice.has_value(); });
 }
 
-bool has_horseshoe(const Design& design) {
+bool has_curved_strand(const Design& design) {
   for (const Segment& segment : design.segments) {
     if (!segment.lattice) continue;
     for (const Grid& grid : segment.lattice->grids) {
-      if (grid.horseshoe) return true;
+      if (is_curved(grid.path)) return true;
     }
   }
   return false;
@@ -132,7 +132,7 @@ void plan_prediction(const Design& design, Plan& plan) {
       shown ? "the preview shows the shape under pressure"
             : "the report shows the response to pressure",
       "");
-  add(Stage::horseshoe_law, has_horseshoe(design), "a strand is a horseshoe",
+  add(Stage::horseshoe_law, has_curved_strand(design), "a strand is a horseshoe",
       "no strand is a horseshoe");
   add(Stage::bending, has_uneven_widths(design), "a family of strands is uneven around the tube",
       "every section is symmetric about its axis");

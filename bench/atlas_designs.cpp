@@ -77,7 +77,7 @@ AtlasMap pressure_map(const std::string& name, AtlasAxis x, int per_axis, MapSeg
 
 Segment stiff_segment(double stiffness_ratio) {
   Segment segment = twisting_segment(stiffness_ratio);
-  segment.lattice->grids.push_back({36, std::vector<double>(8, 2.0), std::nullopt});
+  segment.lattice->grids.push_back({36, std::vector<double>(8, 2.0), StraightPath{}});
   return segment;
 }
 
@@ -91,7 +91,7 @@ Segment horseshoe_segment(double slenderness) {
 
 Segment graded_segment(double width_ratio) {
   Segment segment = twisting_segment();
-  segment.lattice->grids.push_back({60, halves(16, 0.003 * width_ratio, 0.003), std::nullopt});
+  segment.lattice->grids.push_back({60, halves(16, 0.003 * width_ratio, 0.003), StraightPath{}});
   return segment;
 }
 
@@ -107,7 +107,7 @@ AtlasMap wall_map(int per_axis) {
       design.segment.liner.thickness_mm = 16 * (1 - ratio);
       const double room = 2 * pi * 17 * std::sin(angle * pi / 180);
       design.segment.lattice->grids.push_back(
-          {angle, std::vector<double>(8, std::min(2.0, 0.5 * room / 8)), std::nullopt});
+          {angle, std::vector<double>(8, std::min(2.0, 0.5 * room / 8)), StraightPath{}});
       design.pressures_kpa = {0.5 * reference_pressure_kpa(design)};
       map.designs.push_back(design);
     }
@@ -155,7 +155,7 @@ Grid random_grid(testing::Random& dice, double middle_mm, bool axial) {
   grid.widths_mm = random_widths(dice, count, room);
   if (count <= 24 && dice.chance(axial ? 0.6 : 0.15)) {
     const double slenderness = dice.log_between(1e-3, 100);
-    grid.horseshoe = Horseshoe{grid.widths_mm.front() / slenderness, dice.between(20, 300), true};
+    grid.path = Horseshoe{grid.widths_mm.front() / slenderness, dice.between(20, 300), true};
   }
   return grid;
 }
@@ -237,10 +237,11 @@ std::string description(const AtlasDesign& design) {
                 std::get<Linear>(s.lattice->material.law).youngs_modulus_mpa);
   result += text;
   for (const Grid& grid : s.lattice->grids) {
+    const auto* horseshoe = std::get_if<Horseshoe>(&grid.path);
     std::snprintf(text, sizeof text, "; %d at %.17g, widths %.17g to %.17g, R_h %.17g arc %.17g",
                   grid.count(), grid.angle_deg, grid.widths_mm.front(), grid.widths_mm.back(),
-                  grid.horseshoe ? grid.horseshoe->radius_mm : 0,
-                  grid.horseshoe ? grid.horseshoe->arc_deg : 0);
+                  horseshoe != nullptr ? horseshoe->radius_mm : 0,
+                  horseshoe != nullptr ? horseshoe->arc_deg : 0);
     result += text;
   }
   return result;

@@ -43,7 +43,7 @@ void strips(benchmark::State& bench) {
   const auto count = static_cast<int>(bench.range(1));
   const double width = count > 8 ? 1.5 : 2;
   make_lattice_mold(bench, segment_with(rings, 85.0 / 8 * rings,
-                                        {36, std::vector<double>(count, width), std::nullopt}));
+                                        {36, std::vector<double>(count, width), StraightPath{}}));
 }
 BENCHMARK(strips)->Args({8, 8})->Args({20, 8})->Args({80, 8})->Args({80, 20})->Unit(
     benchmark::kMillisecond);
@@ -56,7 +56,7 @@ void horseshoes(benchmark::State& bench) {
 BENCHMARK(horseshoes)->Unit(benchmark::kMillisecond);
 
 void liner(benchmark::State& bench) {
-  const Segment segment = segment_with(8, 85, {36, std::vector<double>(8, 2.0), std::nullopt});
+  const Segment segment = segment_with(8, 85, {36, std::vector<double>(8, 2.0), StraightPath{}});
   Mold mold;
   while (bench.KeepRunning()) mold = liner_mold(segment, {});
   report(bench, mold);

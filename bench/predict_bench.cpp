@@ -26,7 +26,7 @@ Segment twisting_segment() {
   lattice.thickness_mm = 2;
   lattice.material.law = Linear{19.46, 0.5};
   lattice.rings = Rings{8, std::nullopt, 2};
-  lattice.grids.push_back({36, std::vector<double>(8, 2.0), std::nullopt});
+  lattice.grids.push_back({36, std::vector<double>(8, 2.0), StraightPath{}});
   segment.lattice = lattice;
   return segment;
 }

@@ -59,7 +59,7 @@ BENCHMARK(superimposed_irregular)->Unit(benchmark::kMicrosecond);
 /// From designs to tips: laws and symmetry included.
 void ten_thousand_points(benchmark::State& bench) {
   const std::vector<Segment> segments = {
-      bending_segment(90, 16), segment_with({36, std::vector<double>(8, 2.0), std::nullopt})};
+      bending_segment(90, 16), segment_with({36, std::vector<double>(8, 2.0), StraightPath{}})};
   std::vector<LoadCase> cases;
   for (int i = 0; i < 100; ++i) {
     for (int j = 0; j < 100; ++j) cases.push_back({{30.0 * i / 99, 60.0 * j / 99}});

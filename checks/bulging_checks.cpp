@@ -118,7 +118,7 @@ bool strands_hold_the_tube(const Segment& segment, double shear_modulus_mpa) {
   const double radius = segment.lattice_mid_radius_mm();
   double held = 0;
   for (const Grid& grid : lattice.grids) {
-    if (grid.horseshoe) continue;
+    if (is_curved(grid.path)) continue;
     const double angle = grid.angle_rad();
     double width = 0;
     for (const double w : grid.widths_mm) width += w;

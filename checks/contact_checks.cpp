@@ -9,8 +9,8 @@
 
 #include "checks/strand_stations.h"
 #include "design/units.h"
-#include "geometry/pattern/horseshoe_path.h"
 #include "geometry/pattern/rings.h"
+#include "geometry/pattern/strand_path.h"
 #include "model/shape/inflated_wall.h"
 
 namespace latticast {
@@ -37,63 +37,22 @@ double width_of_pair_mm(const Grid& grid, int strand) {
   return 0.5 * (grid.widths_mm[strand] + grid.widths_mm[(strand + 1) % grid.count()]);
 }
 
-double straight_gap_mm(const Segment& segment, const Grid& grid, const State& state) {
+/// Between neighbouring strands, and within one, whichever is less.
+double strand_gap_mm(const Segment& segment, const Grid& grid, const State& state) {
   const double angle = grid.angle_rad();
   double least = HUGE_VAL;
   for (const StrandStation& station : strand_stations(segment, grid, state)) {
     const WallStretch at =
         wall_stretch(segment, state, segment.lattice_mid_radius_mm(), station.theta_rad);
-    const double spacing = 2 * pi * at.radius_mm / grid.count() * std::sin(at.turned_rad(angle));
-    least = std::min(least, spacing - width_of_pair_mm(grid, station.strand));
-  }
-  return least;
-}
-
-/// The circular arc of the same length whose chord is `stretch` times as long; fully stretched arcs
-/// are kept a little round.
-Horseshoe bent_arc(const Horseshoe& rest, double stretch) {
-  const double half = 0.5 * radians(rest.arc_deg);
-  const double ratio = std::min(0.999, stretch * std::sin(half) / half);  // chord over arc
-  double low = 0;
-  double high = pi;
-  for (int i = 0; i < 50; ++i) {
-    const double middle = 0.5 * (low + high);
-    (std::sin(middle) > ratio * middle ? low : high) = middle;
-  }
-  Horseshoe arc = rest;
-  arc.radius_mm = rest.radius_mm * half / low;
-  arc.arc_deg = degrees(2 * low);
-  return arc;
-}
-
-/// Within a column: inside an arc, and between arcs of more than a half circle that bulge to the
-/// same side: the next but one, or the next.
-double gap_in_column_mm(const Horseshoe& arc, double width_mm) {
-  const double across = 2 * arc.radius_mm;
-  const double inside = across - width_mm;
-  if (arc.arc_deg <= 180) return inside;
-  const double apart =
-      arc.alternate ? 2 * chord_mm(arc) - across - width_mm : chord_mm(arc) - across;
-  return std::min(inside, apart);
-}
-
-/// Between neighbouring columns, and within one, whichever is less.
-double horseshoe_gap_mm(const Segment& segment, const Grid& grid, const State& state) {
-  const double angle = grid.angle_rad();
-  double least = HUGE_VAL;
-  for (const StrandStation& station : strand_stations(segment, grid, state)) {
-    const WallStretch at =
-        wall_stretch(segment, state, segment.lattice_mid_radius_mm(), station.theta_rad);
-    HorseshoeColumn column;
-    column.shape = bent_arc(*grid.horseshoe, at.along(angle));
-    column.angle_deg = degrees(at.turned_rad(angle));
-    column.width_mm = station.width_mm;
-    column.length_mm = at.axial * segment.length_mm;
+    PlacedStrand strand = placed_strand(segment, grid, station.strand);
+    strand.shape = stretched(strand, at.along(angle));
+    strand.angle_deg = degrees(at.turned_rad(angle));
+    strand.length_mm = at.axial * segment.length_mm;
     const double spacing = 2 * pi * at.radius_mm / grid.count();
     const double between = grid.count() < 2 ? HUGE_VAL
-                                            : centre_distance_mm(column, spacing) -
+                                            : centre_distance_mm(strand, spacing) -
                                                   width_of_pair_mm(grid, station.strand);
-    least = std::min({least, between, gap_in_column_mm(column.shape, station.width_mm)});
+    least = std::min({least, between, gap_within_mm(strand)});
   }
   return least;
 }
@@ -124,14 +83,10 @@ void check_gaps(const LoadedSegment& loaded, CheckFindings& findings) {
   }
   for (std::size_t i = 0; i < lattice.grids.size(); ++i) {
     const Grid& grid = lattice.grids[i];
-    if (grid.count() < 2 && !grid.horseshoe) continue;
+    if (grid.count() < 2 && !is_curved(grid.path)) continue;
     check_gap(
         loaded, fmt::format("grid {}", i),
-        [&](const State& state) {
-          return grid.horseshoe ? horseshoe_gap_mm(segment, grid, state)
-                                : straight_gap_mm(segment, grid, state);
-        },
-        findings);
+        [&](const State& state) { return strand_gap_mm(segment, grid, state); }, findings);
   }
 }
 

@@ -16,6 +16,7 @@
 #include "checks/strand_checks.h"
 #include "design/units.h"
 #include "geometry/pattern/drawing_problems.h"
+#include "geometry/pattern/strand_path.h"
 #include "geometry/solid/arrangement.h"
 
 namespace latticast {
@@ -72,7 +73,8 @@ void check_overhang(const Segment& segment, int number, const FreePrinting& free
     finding.message = fmt::format(
         "its strands rise {} {:.3g} degrees from the bed where they are flattest, standing on the "
         "segment's end; {:.3g} degrees print without supports",
-        segment.lattice->grids[g].horseshoe ? "as little as" : "at", slope, free.least_slope_deg);
+        is_curved(segment.lattice->grids[g].path) ? "as little as" : "at", slope,
+        free.least_slope_deg);
     finding.remedy = "print it with supports, or cast it: lattice_mold = {}";
     findings.push_back(std::move(finding));
   }
@@ -176,7 +178,7 @@ FreePrinting free_printing(Process process) {
 }
 
 double least_slope_deg(const Segment& segment, const Grid& grid) {
-  const double turned = grid.horseshoe ? 0.5 * grid.horseshoe->arc_deg : 0;
+  const double turned = largest_slope_deg(placed_strand(segment, grid));
   const double slope = std::max(0.0, 90 - std::abs(grid.angle_deg - 90) - turned);
   if (slope == 0 || slope == 90) return slope;
   const double stretch = segment.outer_radius_mm() / segment.lattice_mid_radius_mm();

@@ -43,11 +43,12 @@ double chord_strain(const Segment& segment, const Grid& grid, const State& state
          1;
 }
 
-double horseshoe_fibre_strain(const Segment& segment, const Grid& grid, const State& state) {
+/// Of the most stretched fibre of curved strands.
+double fibre_strain(const Segment& segment, const Grid& grid, const State& state) {
   double largest = 0;
   for (const StrandStation& station : strand_stations(segment, grid, state)) {
-    const HorseshoeShape shape = horseshoe_shape(segment, grid, station.width_mm);
-    const auto fibre = largest_fibre_strain(shape, chord_strain(segment, grid, state, station));
+    const auto link = link_shape(segment, grid, station.width_mm);
+    const auto fibre = largest_fibre_strain(*link, chord_strain(segment, grid, state, station));
     largest = std::max(largest, fibre.value_or(0));
   }
   return largest;
@@ -145,26 +146,26 @@ void check_strands(const LoadedSegment& loaded, CheckFindings& findings) {
     check_material(
         loaded, material, codes, fmt::format("grid {}", i),
         [&](const State& state) {
-          return grid.horseshoe ? horseshoe_fibre_strain(segment, grid, state)
-                                : straight_strain(segment, grid, state);
+          return is_curved(grid.path) ? fibre_strain(segment, grid, state)
+                                      : straight_strain(segment, grid, state);
         },
         findings);
   }
 }
 
 /// How much of its free way a grid has used: of the elongation 1/sin(alpha) - 1 at which
-/// inextensible strips lie along the tube, or at which horseshoes are straight.
+/// inextensible strips lie along the tube, or at which curved strands are straight.
 std::optional<Measure> lock_use(const Segment& segment, std::size_t index) {
   const Grid& grid = segment.lattice->grids[index];
   Measure measure{
       "fibre-lock", fmt::format("grid {}", index), "of the way", largest_lock_use, true, {}};
-  if (grid.horseshoe) {
+  if (is_curved(grid.path)) {
     measure.value = [&segment, &grid](const State& state) {
       double largest = 0;
       for (const StrandStation& station : strand_stations(segment, grid, state)) {
-        const HorseshoeShape shape = horseshoe_shape(segment, grid, station.width_mm);
+        const auto link = link_shape(segment, grid, station.width_mm);
         const double strain = chord_strain(segment, grid, state, station);
-        largest = std::max(largest, strain / full_extension(shape));
+        largest = std::max(largest, strain / full_extension(*link));
       }
       return largest;
     };
@@ -187,10 +188,8 @@ void check_locks(const LoadedSegment& loaded, CheckFindings& findings) {
         "its strands are nearly straight along the tube from {:.3g} kPa on ({:.3g} of their free "
         "way at {:.4g} kPa): more pressure strains them and moves little",
         beyond->from_kpa, beyond->worst, beyond->worst_kpa);
-    finding.remedy =
-        pressure_remedy(beyond->safe_kpa) + (loaded.segment->lattice->grids[i].horseshoe
-                                                 ? ", or arcs of a larger angle"
-                                                 : ", or strands nearer to the circumference");
+    finding.remedy = fmt::format("{}, or {}", pressure_remedy(beyond->safe_kpa),
+                                 describe(loaded.segment->lattice->grids[i].path).more);
     findings.push_back(std::move(finding));
   }
 }

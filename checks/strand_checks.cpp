@@ -8,8 +8,8 @@
 #include <fmt/core.h>
 
 #include "design/units.h"
-#include "geometry/pattern/horseshoe_path.h"
 #include "geometry/pattern/rings.h"
+#include "geometry/pattern/strand_path.h"
 
 namespace latticast {
 namespace {
@@ -34,15 +34,12 @@ double shrunk(const Segment& segment) {
 // Between the centre lines of neighbouring strands, square to them, of a family of `count`.
 double centre_distance(const Segment& segment, const Grid& grid, int count) {
   const double spacing = around_tube_mm(segment) / count;
-  if (!grid.horseshoe) return spacing * std::sin(grid.angle_rad());
-  HorseshoeColumn column{*grid.horseshoe, 0, grid.angle_deg, 0, segment.length_mm};
-  column.shape.radius_mm = closing_radius_mm(column);
-  return centre_distance_mm(column, spacing);
+  return centre_distance_mm(closed(placed_strand(segment, grid)), spacing);
 }
 
 // What lies between neighbours at R_c, seen at the inner radius.
 double gap_at_bore(const Segment& segment, const Grid& grid, double gap_mm) {
-  if (grid.horseshoe) return gap_mm * shrunk(segment);
+  if (is_curved(grid.path)) return gap_mm * shrunk(segment);
   return width_at_radius_mm(segment, grid.angle_deg, gap_mm, segment.liner_outer_radius_mm());
 }
 
@@ -226,7 +223,7 @@ double width_at_radius_mm(const Segment& segment, double angle_deg, double width
 }
 
 double least_width_mm(const Segment& segment, const Grid& grid, double width_mm) {
-  const double turned = grid.horseshoe ? 0.5 * grid.horseshoe->arc_deg : 0;
+  const double turned = largest_slope_deg(placed_strand(segment, grid));
   const double off_axis = std::max(0.0, std::abs(grid.angle_deg - 90) - turned);
   return width_at_radius_mm(segment, 90 - off_axis, width_mm, segment.liner_outer_radius_mm());
 }

@@ -12,13 +12,9 @@
 namespace latticast {
 namespace {
 
-double circumference_mm(const Segment& segment) {
-  return 2 * std::numbers::pi * segment.lattice_mid_radius_mm();
-}
-
 /// How far round the tube a strand runs from one end to the other, in turns, with sign.
 double strand_turns(const Grid& grid, const Segment& segment) {
-  return segment.length_mm / std::tan(radians(grid.angle_deg)) / circumference_mm(segment);
+  return segment.length_mm / std::tan(grid.angle_rad()) / segment.lattice_circumference_mm();
 }
 
 void check_counted_rings(const Rings& rings, double length_mm, const Field& field) {
@@ -70,7 +66,7 @@ void check_rings(const Rings& rings, double segment_length_mm, const Field& fiel
 void check_strand_gaps(const Grid& grid, const Segment& segment, const Field& width) {
   if (grid.widths_mm.empty()) return;
   const std::size_t count = grid.widths_mm.size();
-  const double room = circumference_mm(segment) * std::sin(radians(grid.angle_deg));
+  const double room = segment.lattice_circumference_mm() * std::sin(grid.angle_rad());
   const double sum = std::accumulate(grid.widths_mm.begin(), grid.widths_mm.end(), 0.0);
   if (sum >= room) {
     width.refuse(
@@ -101,18 +97,6 @@ void check_strand_turns(const Grid& grid, const Segment& segment, const Field& a
                              "does {:.6g} times",
                              limits::strand_turns, turns),
                  "use a steeper angle; for rings, write [segment.lattice.rings]");
-  }
-}
-
-void check_horseshoe_arcs(const Grid& grid, const Segment& segment, const Field& horseshoe) {
-  if (!grid.horseshoe) return;
-  const double strand_mm = segment.length_mm / std::sin(radians(grid.angle_deg));
-  const double chord_mm =
-      2 * grid.horseshoe->radius_mm * std::sin(0.5 * radians(grid.horseshoe->arc_deg));
-  if (strand_mm / chord_mm > limits::arcs) {
-    horseshoe.refuse(fmt::format("a strand must not have more than {} arcs; this one has {:.6g}",
-                                 limits::arcs, strand_mm / chord_mm),
-                     "use a larger radius");
   }
 }
 

@@ -18,9 +18,6 @@ void check_strand_gaps(const Grid& grid, const Segment& segment, const Field& wi
 /// One strand does not wind around the tube more often than limits::strand_turns.
 void check_strand_turns(const Grid& grid, const Segment& segment, const Field& angle);
 
-/// One strand does not have more horseshoe arcs than limits::arcs.
-void check_horseshoe_arcs(const Grid& grid, const Segment& segment, const Field& horseshoe);
-
 /// A fillet is smaller than the mid radius of the layer that it is in.
 void check_fillet(const Segment& segment, const Field& fillet);
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "design/material/material.h"
+#include "design/strand_path.h"
 #include "design/units.h"
 
 namespace latticast {
@@ -29,14 +30,6 @@ struct Rings {
   double width_mm = 0;
 };
 
-/// A horseshoe column's arcs (paper Fig. 2(g)): radius of the centre line and full angle of one
-/// arc.
-struct Horseshoe {
-  double radius_mm = 0;
-  double arc_deg = 180;
-  bool alternate = true;  ///< successive arcs curve to opposite sides
-};
-
 /// Unit vector along a straight line of the unrolled plane: u runs around the tube, z along it.
 struct StrandDirection {
   double cosine = 0;  ///< along u
@@ -47,7 +40,7 @@ struct StrandDirection {
 struct Grid {
   double angle_deg = 0;           ///< from the circumferential direction, 0 < angle < 180
   std::vector<double> widths_mm;  ///< one per strand, measured square to the strand at mid radius
-  std::optional<Horseshoe> horseshoe;
+  StrandPath path;
 
   int count() const { return static_cast<int>(widths_mm.size()); }
   double angle_rad() const { return radians(angle_deg); }

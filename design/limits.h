@@ -34,7 +34,7 @@ inline constexpr int mold_pieces = 100;
 inline constexpr int load_cases = 100'000;
 inline constexpr int preview_cases = 1'000;
 inline constexpr double strand_turns = 1'000;  ///< of one strand around the tube
-inline constexpr double arcs = 10'000;         ///< of one horseshoe strand
+inline constexpr double links = 10'000;        ///< of one curved strand
 inline constexpr double crossings = 1e6;       ///< of strands and rings on one segment
 
 }  // namespace limits

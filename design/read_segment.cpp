@@ -6,6 +6,7 @@
 #include "design/check_lattice.h"
 #include "design/grid_widths.h"
 #include "design/read_material.h"
+#include "design/read_strand_path.h"
 
 namespace latticast {
 namespace {
@@ -55,17 +56,6 @@ Rings read_rings(TableReader table, double segment_length_mm) {
   return rings;
 }
 
-std::optional<Horseshoe> read_horseshoe(const Field& field) {
-  if (!field.present()) return std::nullopt;
-  TableReader table = field.as_table("write horseshoe = { radius = 2.656, arc = 180 }");
-  Horseshoe horseshoe;
-  horseshoe.radius_mm = table.need("radius", "radius = 2.656").number(limits::length);
-  horseshoe.arc_deg = table.may("arc").number_or(horseshoe.arc_deg, limits::horseshoe_arc);
-  horseshoe.alternate = table.may("alternate").flag_or(horseshoe.alternate);
-  table.refuse_unknown_keys();
-  return horseshoe;
-}
-
 std::vector<double> read_widths(TableReader& table, const Field& width) {
   const Field count = width.is_list() ? table.may("count") : table.need("count", "count = 8");
   const std::optional<int> strands = count.whole(1, limits::strands_or_rings);
@@ -81,14 +71,12 @@ Grid read_grid(TableReader table, const Segment& segment, ColumnModel columns) {
   const Field width = table.need("width", "width = 2");
   grid.angle_deg = angle.number(limits::grid_angle);
   grid.widths_mm = read_widths(table, width);
-  const Field horseshoe = table.may("horseshoe");
-  grid.horseshoe = read_horseshoe(horseshoe);
+  grid.path = read_strand_path(table, segment, grid.angle_deg);
   table.refuse_unknown_keys();
   // Effective rods stand for columns of any width; drawing such columns finds their overlap.
-  const bool stands_for_columns = columns == ColumnModel::rods && grid.horseshoe;
+  const bool stands_for_columns = columns == ColumnModel::rods && is_curved(grid.path);
   if (!stands_for_columns) check_strand_gaps(grid, segment, width);
   check_strand_turns(grid, segment, angle);
-  check_horseshoe_arcs(grid, segment, horseshoe);
   return grid;
 }
 

@@ -23,7 +23,7 @@ std::vector<double> distinct_pressures(std::span<const LoadCase> cases, std::siz
 // Those that a segment can use: all laws of a long chain would be too many to hand to each segment.
 HorseshoeLaws known_laws(const LawsByShape& laws, const Segment& segment) {
   HorseshoeLaws known;
-  for (const HorseshoeShape& shape : horseshoe_shapes(segment)) {
+  for (const HorseshoeShape& shape : link_shapes(segment)) {
     const auto found = laws.find(shape);
     if (found != laws.end()) known.push_back(found->second);
   }

@@ -47,7 +47,7 @@ Segment grown(Segment segment, double growth) {
   }
   for (Grid& grid : lattice.grids) {
     for (double& width : grid.widths_mm) width *= growth;
-    if (grid.horseshoe) grid.horseshoe->radius_mm *= growth;
+    grid.path = scaled(grid.path, growth);
   }
   return segment;
 }

@@ -29,11 +29,13 @@ Json or_null(const std::optional<T>& value) {
 Json grid_json(const Grid& grid) {
   Json json{{"angle_deg", grid.angle_deg}, {"count", grid.count()}, {"widths_mm", grid.widths_mm}};
   json["horseshoe"] = nullptr;
-  if (grid.horseshoe) {
-    json["horseshoe"] = {{"radius_mm", grid.horseshoe->radius_mm},
-                         {"arc_deg", grid.horseshoe->arc_deg},
-                         {"alternate", grid.horseshoe->alternate}};
+  if (!is_curved(grid.path)) return json;
+  const PathDescription path = describe(grid.path);
+  Json sizes = Json::object();
+  for (const auto& [name, value] : path.parameters) {
+    std::visit([&](auto size) { sizes[name] = size; }, value);
   }
+  json[path.name] = std::move(sizes);
   return json;
 }
 

@@ -27,11 +27,8 @@ std::string family_text(const Grid& grid, std::size_t index) {
       fmt::format("grid {}: {} at {:.6g} degrees from the circumference, {}", index,
                   grid.count() == 1 ? "one strand" : fmt::format("{} strands", grid.count()),
                   grid.angle_deg, widths_text(grid));
-  if (grid.horseshoe) {
-    text += fmt::format(", arcs of {:.6g} degrees, radius {:.6g} mm", grid.horseshoe->arc_deg,
-                        grid.horseshoe->radius_mm);
-  }
-  return text;
+  const std::string path = describe(grid.path).text;
+  return path.empty() ? text : text + ", " + path;
 }
 
 void add_angles(const FlatDrawing& drawing, FlatMarks& marks) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "design/units.h"
+#include "geometry/pattern/link_chain.h"
 
 namespace latticast {
 namespace {
@@ -20,23 +21,6 @@ double half_arc(const Horseshoe& shape) {
 
 int side_of_arc(const Horseshoe& shape, int arc) {
   return shape.alternate && arc % 2 != 0 ? -1 : 1;
-}
-
-// Where the column's arcs are drawn: s along its chord line, t to the right of it.
-struct Frame {
-  PlanePoint origin;
-  PlanePoint along;
-  PlanePoint right;
-
-  PlanePoint at(double s, double t) const {
-    return {origin.u + s * along.u + t * right.u, origin.z + s * along.z + t * right.z};
-  }
-};
-
-Frame frame_of(const HorseshoeColumn& column) {
-  const double angle = radians(column.angle_deg);
-  const double cosine = column.angle_deg == 90 ? 0.0 : std::cos(angle);
-  return {{column.start_u_mm, 0}, {cosine, std::sin(angle)}, {std::sin(angle), -cosine}};
 }
 
 // Inner points of a flattened arc lie further out than its end points, so that the polygon has the
@@ -56,100 +40,37 @@ int flat_steps(double radius, double arc, double flatness) {
   return steps;
 }
 
-// A corner of a polygon, and what the edge from it to the next one stands for.
-struct Corner {
-  PlanePoint point;
-  CurveRange edge;
-};
-
-CurveRange part_of(const CurveRange& range, double from, double to) {
-  return {range.curve, std::lerp(range.from, range.to, from), std::lerp(range.from, range.to, to)};
-}
-
-// The polygon's part with 0 <= z <= length (Sutherland-Hodgman against both ends). A part cut off
-// in the middle leaves an edge there and back along the end, which encloses nothing.
-std::vector<Corner> clip_ends(std::vector<Corner> polygon, double length) {
-  for (const bool far_end : {false, true}) {
-    const double level = far_end ? length : 0;
-    const auto inside = [&](const PlanePoint& p) { return far_end ? p.z <= level : p.z >= level; };
-    std::vector<Corner> kept;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const auto& [a, edge] = polygon[i];
-      const PlanePoint& b = polygon[(i + 1) % polygon.size()].point;
-      if (inside(a) && inside(b)) kept.push_back(polygon[i]);
-      if (inside(a) == inside(b)) continue;
-      const double part = (level - a.z) / (b.z - a.z);
-      const PlanePoint crossing{std::lerp(a.u, b.u, part), level};
-      if (inside(a)) {
-        kept.push_back({a, part_of(edge, 0, part)});
-        kept.push_back({crossing, {own_line, 0, 1}});
-      } else {
-        kept.push_back({crossing, part_of(edge, part, 1)});
-      }
-    }
-    polygon = std::move(kept);
-  }
-  return polygon;
-}
-
-double twice_area(const std::vector<Corner>& polygon) {
-  double sum = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const PlanePoint& a = polygon[i].point;
-    const PlanePoint& b = polygon[(i + 1) % polygon.size()].point;
-    sum += a.u * b.z - b.u * a.z;
-  }
-  return sum;
-}
-
-// Counter-clockwise.
-Strand strand_of(std::vector<Corner> polygon, std::vector<DrawnCurve> curves) {
-  if (twice_area(polygon) < 0) {
-    std::reverse(polygon.begin(), polygon.end());
-    const CurveRange last = polygon.front().edge;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      const CurveRange& edge = i + 1 < polygon.size() ? polygon[i + 1].edge : last;
-      polygon[i].edge = {edge.curve, edge.to, edge.from};
-    }
-  }
-  Strand strand;
-  strand.curves = std::move(curves);
-  for (const auto& [point, edge] : polygon) {
-    strand.outline.push_back(point);
-    strand.traces.push_back(edge);
-  }
-  return strand;
-}
-
-class Drawer {
+// A flattened column.
+class Arcs {
  public:
-  Drawer(const HorseshoeColumn& column, double flatness)
+  Arcs(const HorseshoeColumn& column, double flatness)
       : column_(column),
         flatness_(flatness),
-        frame_(frame_of(column)),
+        frame_(strand_frame(column.start_u_mm, column.angle_deg)),
         radius_(closing_radius_mm(column)),
         half_(half_arc(column.shape)),
         chord_(2 * radius_ * std::sin(half_)),
         steps_(flat_steps(radius_ + 0.5 * column.width_mm, 2 * half_, flatness)),
         outward_(outward_factor(2 * half_ / steps_, steps_)) {}
 
-  // From the middle of the strand to both ends: what lies beyond its first way out is loose.
-  DrawnHorseshoe run() {
-    const auto arcs = std::lround(column_.length_mm / (frame_.along.z * chord_));
-    const int middle = static_cast<int>(arcs / 2);
-    int first = 0;  // the joint itself lies on the end when there is one arc alone
-    while (first < steps_ && where(middle, first) != Where::inside) ++first;
-    const Where up = draw_up(middle, first);
-    const Where down = draw_down(middle, first);
-    drawn_.in_one_piece = up == Where::above && down == Where::below;
-    drawn_.error = error();
-    return std::move(drawn_);
+  DrawnStrand draw() const {
+    LinkChain chain{
+        .frame = frame_,
+        .link_chord_mm = chord_,
+        .length_mm = column_.length_mm,
+        .flatness_mm = flatness_,
+        .steps = steps_,
+        .edge = [this](int arc, int step, bool outer) { return edge(arc, step, outer); },
+        .side = [this](int arc, bool outer) { return side(arc, outer); },
+        .corner = {}};
+    if (!column_.shape.alternate) chain.corner = [this](int joint) { return disc(joint); };
+    DrawnStrand drawn = draw_chain(chain);
+    drawn.error = error(drawn.links.size());
+    return drawn;
   }
 
  private:
-  enum class Where { below, inside, above };
-
-  // One end of a cross-section of the strand; both ends of a joint are the same for both its arcs.
+  // Both ends of a joint are the same for both its arcs.
   PlanePoint edge(int arc, int step, bool outer) const {
     const int side = side_of_arc(column_.shape, arc);
     const double direction = -half_ + step * (2 * half_ / steps_);
@@ -164,43 +85,8 @@ class Drawer {
                      side * (r * std::cos(direction) - radius_ * std::cos(half_)));
   }
 
-  // A cross-section less than the flatness inside counts as outside: it would not hold.
-  Where where(int arc, int step) const {
-    const double inner = edge(arc, step, false).z;
-    const double outer = edge(arc, step, true).z;
-    if (std::max(inner, outer) < flatness_) return Where::below;
-    if (std::min(inner, outer) > column_.length_mm - flatness_) return Where::above;
-    return Where::inside;
-  }
-
-  Where draw_up(int arc, int first) {
-    for (;; ++arc, first = 0) {
-      for (int step = first; step <= steps_; ++step) {
-        const Where here = where(arc, step);
-        if (here == Where::inside) continue;
-        add_sector(arc, first, step);
-        return here;
-      }
-      add_sector(arc, first, steps_);
-      add_joint(arc + 1);
-    }
-  }
-
-  Where draw_down(int arc, int last) {
-    for (;; --arc, last = steps_) {
-      for (int step = last; step >= 0; --step) {
-        const Where here = where(arc, step);
-        if (here == Where::inside) continue;
-        add_sector(arc, step, last);
-        return here;
-      }
-      add_sector(arc, 0, last);
-      add_joint(arc);
-    }
-  }
-
-  // The side of a whole arc. Directions count from the arc's middle, along the strand.
-  DrawnCurve side_curve(int arc, bool outer) const {
+  // Directions count from the arc's middle, along the strand.
+  DrawnCurve side(int arc, bool outer) const {
     const int bulge = side_of_arc(column_.shape, arc);
     const double half_width = outer ? 0.5 * column_.width_mm : -0.5 * column_.width_mm;
     const double middle = radians(column_.angle_deg) - bulge * 0.5 * std::numbers::pi;
@@ -214,79 +100,50 @@ class Drawer {
             .side = outer ? bulge : -bulge};
   }
 
-  DrawnCurve cut_curve(int arc, int step) const {
-    return {.shape = StraightLine{edge(arc, step, true), edge(arc, step, false)},
-            .part = CurvePart::strand,
-            .link = arc};
-  }
-
-  void add_sector(int arc, int from, int to) {
-    if (from == to) return;
-    const auto part = [&](int step) { return static_cast<double>(step) / steps_; };
-    std::vector<Corner> outline;
-    for (int step = from; step < to; ++step) {
-      outline.push_back({edge(arc, step, true), {0, part(step), part(step + 1)}});
-    }
-    outline.push_back({edge(arc, to, true), {1, 0, 1}});
-    for (int step = to; step > from; --step) {
-      outline.push_back({edge(arc, step, false), {2, part(step), part(step - 1)}});
-    }
-    outline.push_back({edge(arc, from, false), {3, 1, 0}});
-    add(std::move(outline),
-        {side_curve(arc, true), cut_curve(arc, to), side_curve(arc, false), cut_curve(arc, from)});
-  }
-
   // Arcs that all bulge to one side meet at an angle.
-  void add_joint(int joint) {
-    if (column_.shape.alternate) return;
+  TracedOutline disc(int joint) const {
     const double radius = 0.5 * column_.width_mm;
     const int steps = flat_steps(radius, 2 * std::numbers::pi, flatness_);
     const double step = 2 * std::numbers::pi / steps;
     const double outward = std::sqrt(step / std::sin(step));
-    const auto part = [&](int i) { return static_cast<double>(i) / steps; };
-    std::vector<Corner> disc;
-    disc.reserve(steps);
-    for (int i = 0; i < steps; ++i) {
-      disc.push_back({frame_.at(joint * chord_ + outward * radius * std::cos(i * step),
-                                outward * radius * std::sin(i * step)),
-                      {0, part(i), part(i + 1)}});
-    }
     const double start = radians(column_.angle_deg);
-    add(std::move(disc), {{.shape = CircularArc{.centre = frame_.at(joint * chord_, 0),
-                                                .radius_mm = radius,
-                                                .from_rad = start,
-                                                .to_rad = start - 2 * std::numbers::pi},
-                           .part = CurvePart::joint,
-                           .link = joint}});
+    TracedOutline disc{{},
+                       {{.shape = CircularArc{.centre = frame_.at(joint * chord_, 0),
+                                              .radius_mm = radius,
+                                              .from_rad = start,
+                                              .to_rad = start - 2 * std::numbers::pi},
+                         .part = CurvePart::joint,
+                         .link = joint}}};
+    const auto part = [&](int i) { return static_cast<double>(i) / steps; };
+    disc.corners.reserve(steps);
+    for (int i = 0; i < steps; ++i) {
+      disc.corners.push_back({frame_.at(joint * chord_ + outward * radius * std::cos(i * step),
+                                        outward * radius * std::sin(i * step)),
+                              {0, part(i), part(i + 1)}});
+    }
+    return disc;
   }
 
   // The chords at an arc's ends, between the circle and the points further out, sag the most: by
   // 1.042 of what those points are out by. Whole arcs keep their area; where an end or another
   // strand cuts one, up to half a chord's share is left over on either side.
-  DrawingError error() const {
+  DrawingError error(std::size_t polygons) const {
     const double radius = radius_ + 0.5 * column_.width_mm;
     const double off = worst_sag * radius * (outward_ - 1);
     const double chord = radius * 2 * half_ / steps_;
     // Discs at joints have chords of their own.
     return {column_.shape.alternate ? off : std::max(off, flatness_),
-            static_cast<double>(drawn_.arcs.size()) * off * chord};
-  }
-
-  void add(std::vector<Corner> outline, std::vector<DrawnCurve> curves) {
-    outline = clip_ends(std::move(outline), column_.length_mm);
-    if (outline.size() < 3) return;
-    drawn_.arcs.push_back(strand_of(std::move(outline), std::move(curves)));
+            static_cast<double>(polygons) * off * chord};
   }
 
   const HorseshoeColumn& column_;
   double flatness_;
-  Frame frame_;
+  StrandFrame frame_;
   double radius_;
   double half_;
   double chord_;
   int steps_;
   double outward_;
-  DrawnHorseshoe drawn_;
 };
 
 // Distance of a point, given along and across the chord line, from one arc's centre line.
@@ -316,7 +173,8 @@ double closing_radius_mm(const HorseshoeColumn& column) {
 }
 
 // A strand is narrower than 2 R, and an arc reaches no further than R from its middle.
-double centre_line_distance_mm(const Horseshoe& shape, double along_mm, double across_mm) {
+double centre_line_distance_mm(const HorseshoeColumn& column, double along_mm, double across_mm) {
+  const Horseshoe& shape = column.shape;
   const double chord = chord_mm(shape);
   const int reach = 1 + static_cast<int>(std::ceil(3 * shape.radius_mm / chord));
   const int nearest = static_cast<int>(std::floor(along_mm / chord));
@@ -329,7 +187,7 @@ double centre_line_distance_mm(const Horseshoe& shape, double along_mm, double a
 
 double centre_distance_mm(const HorseshoeColumn& column, double spacing_u_mm) {
   const Horseshoe& shape = column.shape;
-  const Frame frame = frame_of(column);
+  const StrandFrame frame = strand_frame(0, column.angle_deg);
   const double half = half_arc(shape);
   const double chord = chord_mm(shape);
   const double radius = shape.radius_mm;
@@ -342,14 +200,65 @@ double centre_distance_mm(const HorseshoeColumn& column, double spacing_u_mm) {
       const double t = side * radius * (std::cos(direction) - std::cos(half));
       const double other_s = s - spacing_u_mm * frame.along.u;
       const double other_t = t - spacing_u_mm * frame.right.u;
-      closest = std::min(closest, centre_line_distance_mm(shape, other_s, other_t));
+      closest = std::min(closest, centre_line_distance_mm(column, other_s, other_t));
     }
   }
   return closest;
 }
 
-DrawnHorseshoe draw_horseshoe(const HorseshoeColumn& column, double flatness_mm) {
-  return Drawer(column, flatness_mm).run();
+DrawnStrand draw_strand(const HorseshoeColumn& column, double flatness_mm) {
+  return Arcs(column, flatness_mm).draw();
+}
+
+double link_chord_mm(const HorseshoeColumn& column) {
+  return chord_mm(column.shape);
+}
+
+double link_length_mm(const HorseshoeColumn& column) {
+  return 2 * column.shape.radius_mm * half_arc(column.shape);
+}
+
+double largest_slope_deg(const HorseshoeColumn& column) {
+  return 0.5 * column.shape.arc_deg;
+}
+
+double reach_mm(const HorseshoeColumn& column) {
+  return column.shape.radius_mm * (1 - std::cos(half_arc(column.shape)));
+}
+
+double smallest_radius_mm(const HorseshoeColumn& column) {
+  return column.shape.radius_mm;
+}
+
+HorseshoeColumn closed(HorseshoeColumn column) {
+  column.shape.radius_mm = closing_radius_mm(column);
+  return column;
+}
+
+Horseshoe stretched(const HorseshoeColumn& column, double stretch) {
+  const Horseshoe& rest = column.shape;
+  const double half = half_arc(rest);
+  const double ratio = std::min(0.999, stretch * std::sin(half) / half);  // chord over arc
+  double low = 0;
+  double high = std::numbers::pi;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = 0.5 * (low + high);
+    (std::sin(middle) > ratio * middle ? low : high) = middle;
+  }
+  Horseshoe arc = rest;
+  arc.radius_mm = rest.radius_mm * half / low;
+  arc.arc_deg = degrees(2 * low);
+  return arc;
+}
+
+double gap_within_mm(const HorseshoeColumn& column) {
+  const Horseshoe& arc = column.shape;
+  const double across = 2 * arc.radius_mm;
+  const double inside = across - column.width_mm;
+  if (arc.arc_deg <= 180) return inside;
+  const double apart =
+      arc.alternate ? 2 * chord_mm(arc) - across - column.width_mm : chord_mm(arc) - across;
+  return std::min(inside, apart);
 }
 
 }  // namespace latticast

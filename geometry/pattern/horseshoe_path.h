@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Horseshoe columns, drawn flat: a chain of circular arcs along a straight chord line (paper Fig.
-// 2(g)).
+// Horseshoe strands in the plane: a chain of circular arcs along a chord line ([Wang] Fig. 2(g)).
 #pragma once
 
-#include <vector>
+#include <optional>
+#include <string>
 
-#include "design/design.h"
-#include "geometry/pattern/pattern.h"
+#include "design/strand_path.h"
+#include "geometry/pattern/placed_strand.h"
 
 namespace latticast {
 
-/// One column. Its chord line starts at (start_u, 0) and runs at `angle_deg` from the circumference
-/// to z = length. Joints between arcs lie on the chord line; the first arc bulges to the right of
-/// it, the next one to the left when `alternate`, otherwise all to the right. Beyond both ends the
-/// chain goes on: the segment is a level cut through it.
-struct HorseshoeColumn {
-  Horseshoe shape;
-  double start_u_mm = 0;
-  double angle_deg = 90;
-  double width_mm = 0;
-  double length_mm = 0;  ///< of the segment, along z
-};
+/// Joints between arcs lie on the chord line; the first arc bulges to the right of it, the next one
+/// to the left when `alternate`, otherwise all to the right. Beyond both ends the chain goes on:
+/// the segment is a level cut through it.
+using HorseshoeColumn = Placed<Horseshoe>;
 
 /// Distance between the ends of one arc, 2 R sin(arc/2).
 double chord_mm(const Horseshoe& shape);
@@ -32,25 +25,35 @@ double arcs_on_segment(const HorseshoeColumn& column);
 /// segment.
 double closing_radius_mm(const HorseshoeColumn& column);
 
-/// Smallest distance between the centre lines of two columns of equal shape, `spacing_u_mm` apart
-/// along u; at most 1e-4 R above the true one. It is the same all along the tube.
+// What strand_path.h promises of any path, for horseshoes.
+
+double link_chord_mm(const HorseshoeColumn& column);
+double link_length_mm(const HorseshoeColumn& column);
+double largest_slope_deg(const HorseshoeColumn& column);
+double reach_mm(const HorseshoeColumn& column);
+double smallest_radius_mm(const HorseshoeColumn& column);
+
+/// With the closing radius.
+HorseshoeColumn closed(HorseshoeColumn column);
+
+/// The circular arc of the same length whose chord is `stretch` times as long; a fully stretched
+/// arc is kept a little round.
+Horseshoe stretched(const HorseshoeColumn& column, double stretch);
+
+/// Inside an arc, and between arcs of more than a half circle that bulge to the same side: the next
+/// but one (alternate), or the next.
+double gap_within_mm(const HorseshoeColumn& column);
+
+/// At most 1e-4 R above the true distance.
 double centre_distance_mm(const HorseshoeColumn& column, double spacing_u_mm);
+double centre_line_distance_mm(const HorseshoeColumn& column, double along_mm, double across_mm);
 
-/// Distance of a place from an endless column's centre line: `along_mm` is measured along the chord
-/// line from one of its joints, after which an arc bulges to the right, `across_mm` to the right of
-/// it.
-double centre_line_distance_mm(const Horseshoe& shape, double along_mm, double across_mm);
+std::optional<std::string> closing_problem(const HorseshoeColumn& column);
+std::optional<std::string> own_problem(const HorseshoeColumn& column);
 
-/// Outlines, one polygon an arc, drawn with the closing radius and cut level at both ends; what the
-/// cut leaves loose beyond the strand's first way out of the segment is left out. Arcs become
-/// chords that stay within `flatness_mm` of the circle and enclose exactly its area; neighbouring
-/// arcs share their corners bit for bit. The corner between arcs on one side is rounded by a disc
-/// of the strand's width. Precondition: 0 < width < 2 R, flatness > 0.
-struct DrawnHorseshoe {
-  std::vector<Strand> arcs;
-  DrawingError error;        ///< of the chords that were made
-  bool in_one_piece = true;  ///< false: an arc bulges past an end so far that it parts the strand
-};
-DrawnHorseshoe draw_horseshoe(const HorseshoeColumn& column, double flatness_mm);
+/// Drawn with the closing radius. Arcs become chords that stay within `flatness_mm` of the circle
+/// and enclose exactly its area; neighbouring arcs share their corners bit for bit. The corner
+/// between arcs on one side is rounded by a disc of the strand's width.
+DrawnStrand draw_strand(const HorseshoeColumn& column, double flatness_mm);
 
 }  // namespace latticast

@@ -2,43 +2,21 @@
 #include "geometry/pattern/pattern.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <numbers>
 #include <string>
+#include <utility>
 
-#include "design/units.h"
 #include "geometry/pattern/drawing_problems.h"
-#include "geometry/pattern/horseshoe_path.h"
 #include "geometry/pattern/rings.h"
+#include "geometry/pattern/straight_path.h"
+#include "geometry/pattern/strand_path.h"
 
 namespace latticast {
 namespace {
 
-Strand band(double circumference, double z_from, double z_to) {
+std::array<PlanePoint, 4> band(double circumference, double z_from, double z_to) {
   return {{{0, z_from}, {circumference, z_from}, {circumference, z_to}, {0, z_to}}};
-}
-
-// Two of a quadrangle's sides are the strand's: they run from corners `right` and `right` + 2, the
-// right one first, in turn along the strand and against it.
-void trace_sides(Strand& strip, std::size_t right, DrawnCurve owner) {
-  strip.traces.assign(4, {own_line, 0, 1});
-  for (const std::size_t corner : {right, (right + 2) % 4}) {
-    owner.side = corner == right ? 1 : -1;
-    owner.shape = StraightLine{strip.outline[corner], strip.outline[(corner + 1) % 4]};
-    strip.traces[corner].curve = static_cast<std::uint32_t>(strip.curves.size());
-    strip.curves.push_back(owner);
-  }
-}
-
-Strand straight_strip(double start_u, double angle_deg, double width, double length) {
-  const double angle = radians(angle_deg);
-  const double half = 0.5 * width / std::sin(angle);
-  // The cotangent of 90 degrees is exactly 0, so that axial columns are drawn axial.
-  const double drift = angle_deg == 90 ? 0.0 : length * std::cos(angle) / std::sin(angle);
-  return {{{start_u - half, 0},
-           {start_u + half, 0},
-           {start_u + drift + half, length},
-           {start_u + drift - half, length}}};
 }
 
 void draw_rings(const Lattice& lattice, Pattern& pattern) {
@@ -47,38 +25,25 @@ void draw_rings(const Lattice& lattice, Pattern& pattern) {
   int number = 0;
   for (const double centre : ring_centres_mm(*lattice.rings, pattern.length_mm)) {
     // Flush rings end exactly on the segment's ends, whatever the rounding of centre + half.
-    Strand ring = band(pattern.circumference_mm, std::max(0.0, centre - half),
-                       std::min(pattern.length_mm, centre + half));
-    trace_sides(ring, 0, {.shape = {}, .part = CurvePart::ring, .strand = number++});
-    pattern.strands.push_back(std::move(ring));
+    pattern.strands.push_back(
+        traced_strip(band(pattern.circumference_mm, std::max(0.0, centre - half),
+                          std::min(pattern.length_mm, centre + half)),
+                     0, {.shape = {}, .part = CurvePart::ring, .strand = number++}));
   }
 }
 
-HorseshoeColumn column_of(const Grid& grid, int strand, const Pattern& pattern) {
-  return {*grid.horseshoe, strand * pattern.circumference_mm / grid.count(), grid.angle_deg,
-          grid.widths_mm[strand], pattern.length_mm};
-}
-
-void draw_family(const Grid& grid, int family, double flatness, Pattern& pattern) {
+void draw_family(const Segment& segment, int family, double flatness, Pattern& pattern) {
+  const Grid& grid = segment.lattice->grids[family];
   for (int i = 0; i < grid.count(); ++i) {
-    if (grid.horseshoe) {
-      DrawnHorseshoe drawn = draw_horseshoe(column_of(grid, i, pattern), flatness);
-      for (Strand& arc : drawn.arcs) {
-        for (DrawnCurve& curve : arc.curves) {
-          curve.family = family;
-          curve.strand = i;
-        }
-        pattern.strands.push_back(std::move(arc));
+    DrawnStrand drawn = draw_strand(placed_strand(segment, grid, i), flatness);
+    for (Strand& link : drawn.links) {
+      for (DrawnCurve& curve : link.curves) {
+        curve.family = family;
+        curve.strand = i;
       }
-      pattern.error += drawn.error;
-    } else {
-      const double start = i * pattern.circumference_mm / grid.count();
-      Strand strip = straight_strip(start, grid.angle_deg, grid.widths_mm[i], pattern.length_mm);
-      trace_sides(
-          strip, 1,
-          {.shape = {}, .part = CurvePart::strand, .family = family, .strand = i, .link = 0});
-      pattern.strands.push_back(std::move(strip));
+      pattern.strands.push_back(std::move(link));
     }
+    pattern.error += drawn.error;
   }
 }
 
@@ -103,16 +68,15 @@ Pattern draw_lattice(const Segment& segment, double flatness_mm) {
   for (const std::string& problem : drawing_problems(segment)) problems += "\n  " + problem;
   if (!problems.empty()) throw CannotDraw("the lattice cannot be drawn:" + problems);
   draw_rings(*segment.lattice, pattern);
-  int family = 0;
-  for (const Grid& grid : segment.lattice->grids) {
-    draw_family(grid, family++, flatness_mm, pattern);
-  }
+  const auto families = static_cast<int>(segment.lattice->grids.size());
+  for (int i = 0; i < families; ++i) draw_family(segment, i, flatness_mm, pattern);
   return pattern;
 }
 
 Pattern draw_sleeve(double radius_mm, double length_mm) {
   const double circumference = 2 * std::numbers::pi * radius_mm;
-  return {circumference, length_mm, {band(circumference, 0, length_mm)}};
+  const std::array<PlanePoint, 4> corners = band(circumference, 0, length_mm);
+  return {circumference, length_mm, {{.outline = {corners.begin(), corners.end()}}}};
 }
 
 }  // namespace latticast

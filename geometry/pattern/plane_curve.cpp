@@ -2,6 +2,7 @@
 #include "geometry/pattern/plane_curve.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace latticast {
 namespace {
@@ -16,6 +17,16 @@ PlanePoint at(const CircularArc& arc, double t) {
           arc.centre.z + arc.radius_mm * std::sin(angle)};
 }
 
+PlanePoint at(const SinusoidOffset& wave, double t) {
+  const double phase = std::numbers::pi * t;
+  const double slope = std::numbers::pi * wave.amplitude_mm / wave.chord_mm * std::cos(phase);
+  const double turn = std::atan(slope);
+  const double s = wave.chord_mm * t - wave.offset_mm * std::sin(turn);
+  const double out = wave.amplitude_mm * std::sin(phase) + wave.offset_mm * std::cos(turn);
+  return {wave.start.u + s * wave.along.u + out * wave.bulge.u,
+          wave.start.z + s * wave.along.z + out * wave.bulge.z};
+}
+
 PlanePoint sum(PlanePoint a, PlanePoint b) {
   return {a.u + b.u, a.z + b.z};
 }
@@ -27,6 +38,11 @@ StraightLine elsewhere(const StraightLine& line, PlanePoint by) {
 CircularArc elsewhere(CircularArc arc, PlanePoint by) {
   arc.centre = sum(arc.centre, by);
   return arc;
+}
+
+SinusoidOffset elsewhere(SinusoidOffset wave, PlanePoint by) {
+  wave.start = sum(wave.start, by);
+  return wave;
 }
 
 }  // namespace

@@ -27,9 +27,21 @@ struct CircularArc {
   double to_rad = 0;
 };
 
+/// A half wave's offset curve: at a distance from t = amplitude sin(pi s/chord), s along its chord
+/// line, t to the side to which it bulges.
+struct SinusoidOffset {
+  PlanePoint start;  ///< of the centre line, on the chord line
+  PlanePoint along;  ///< unit vectors
+  PlanePoint bulge;
+  double chord_mm = 0;
+  double amplitude_mm = 0;
+  double offset_mm = 0;  ///< from the centre line, positive on the outer side
+};
+
 /// Every curve has a parameter t that runs from 0 at its start to 1 at its end, at constant speed
-/// on lines and arcs. Curves lie in the plane before it is made periodic.
-using PlaneCurve = std::variant<StraightLine, CircularArc>;
+/// on lines and arcs, s = t chord on the centre line of sinusoids. Curves lie in the plane before
+/// it is made periodic.
+using PlaneCurve = std::variant<StraightLine, CircularArc, SinusoidOffset>;
 
 PlanePoint point_at(const PlaneCurve& curve, double t);
 

@@ -46,15 +46,15 @@ std::int64_t cross(SheetPoint a, SheetPoint b, SheetPoint c) {
   return (b.u - a.u) * (c.z - a.z) - (b.z - a.z) * (c.u - a.u);
 }
 
-bool has_horseshoes(const Lattice& lattice) {
+bool has_curves(const Lattice& lattice) {
   return std::any_of(lattice.grids.begin(), lattice.grids.end(),
-                     [](const Grid& grid) { return grid.horseshoe.has_value(); });
+                     [](const Grid& grid) { return is_curved(grid.path); });
 }
 
 // A fillet leans on chords of arcs, and adds its own.
 double flatness_of(const Lattice& lattice, double tolerance_mm) {
   if (lattice.fillet_mm == 0) return arc_share * tolerance_mm;
-  return fillet_share * (has_horseshoes(lattice) ? 0.5 : 1) * tolerance_mm;
+  return fillet_share * (has_curves(lattice) ? 0.5 : 1) * tolerance_mm;
 }
 
 void check_widths(const Lattice& lattice, const PlaneGrid& grid) {

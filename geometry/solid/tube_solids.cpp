@@ -72,14 +72,14 @@ Cutting cutting(const Segment& segment, const SolidOptions& options, const Plane
   return cut;
 }
 
-bool has_horseshoes(const Lattice& lattice) {
+bool has_curves(const Lattice& lattice) {
   return std::any_of(lattice.grids.begin(), lattice.grids.end(),
-                     [](const Grid& grid) { return grid.horseshoe.has_value(); });
+                     [](const Grid& grid) { return is_curved(grid.path); });
 }
 
 // Arcs and fillets run in every direction.
 bool has_arcs(const Lattice& lattice) {
-  return lattice.fillet_mm > 0 || has_horseshoes(lattice);
+  return lattice.fillet_mm > 0 || has_curves(lattice);
 }
 
 // Of chords, so that they stay within their share where they are seen: the error grows with the
@@ -87,7 +87,7 @@ bool has_arcs(const Lattice& lattice) {
 double flatness_of(const Segment& segment, const SolidOptions& options) {
   const Lattice& lattice = *segment.lattice;
   const double grown = std::max({1.0, options.stretch_radius, options.stretch});
-  const double share = lattice.fillet_mm > 0 && has_horseshoes(lattice) ? 0.5 : 1;
+  const double share = lattice.fillet_mm > 0 && has_curves(lattice) ? 0.5 : 1;
   return share * curve_share * options.tolerance_mm * segment.lattice_mid_radius_mm() /
          (segment.outer_radius_mm() * grown);
 }

@@ -105,12 +105,13 @@ void add_columns(const Segment& segment, const Grid& grid, const LawsByShape& la
   for (int j = 0; j < n; ++j) {
     EffectiveRod& rod = rods.halves[2 * j < n ? 0 : 1];
     const double width = grid.widths_mm[j];
-    if (!grid.horseshoe) {
+    const auto link = link_shape(segment, grid, width);
+    if (!link) {
       rod.straight_stiffness_n +=
           strand_modulus_mpa(*segment.lattice) * width * segment.lattice->thickness_mm;
       continue;
     }
-    const auto law = laws.at(horseshoe_shape(segment, grid, width));
+    const auto law = laws.at(*link);
     const auto same = std::find_if(rod.columns.begin(), rod.columns.end(),
                                    [&](const auto& column) { return column.law == law; });
     same == rod.columns.end() ? rod.columns.push_back({law, 1}) : void(++same->count);

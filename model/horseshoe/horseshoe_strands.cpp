@@ -18,20 +18,23 @@ double strand_modulus_mpa(const Lattice& lattice) {
       "the lattice material is a rubber; strands need a linear material (E, nu)");
 }
 
-HorseshoeShape horseshoe_shape(const Segment& segment, const Grid& grid, double width_mm) {
-  return {grid.horseshoe->radius_mm, radians(grid.horseshoe->arc_deg), width_mm,
-          segment.lattice->thickness_mm, strand_modulus_mpa(*segment.lattice)};
+std::optional<HorseshoeShape> link_shape(const Segment& segment, const Grid& grid,
+                                         double width_mm) {
+  const auto* path = std::get_if<Horseshoe>(&grid.path);
+  if (path == nullptr) return std::nullopt;
+  return HorseshoeShape{path->radius_mm, radians(path->arc_deg), width_mm,
+                        segment.lattice->thickness_mm, strand_modulus_mpa(*segment.lattice)};
 }
 
-std::vector<HorseshoeShape> horseshoe_shapes(const Segment& segment) {
+std::vector<HorseshoeShape> link_shapes(const Segment& segment) {
   std::vector<HorseshoeShape> shapes;
   if (!segment.lattice) return shapes;
   std::set<HorseshoeShape, HorseshoeShapeOrder> met;
   for (const Grid& grid : segment.lattice->grids) {
-    if (!grid.horseshoe) continue;
     for (const double width : grid.widths_mm) {
-      const HorseshoeShape shape = horseshoe_shape(segment, grid, width);
-      if (met.insert(shape).second) shapes.push_back(shape);
+      const auto shape = link_shape(segment, grid, width);
+      if (!shape) break;
+      if (met.insert(*shape).second) shapes.push_back(*shape);
     }
   }
   return shapes;
@@ -40,7 +43,7 @@ std::vector<HorseshoeShape> horseshoe_shapes(const Segment& segment) {
 LawsByShape build_laws(const Segment& segment, const HorseshoeLaws& known) {
   LawsByShape laws;
   for (const auto& law : known) laws.emplace(law->shape(), law);
-  std::vector<HorseshoeShape> missing = horseshoe_shapes(segment);
+  std::vector<HorseshoeShape> missing = link_shapes(segment);
   std::erase_if(missing, [&](const HorseshoeShape& shape) { return laws.contains(shape); });
   try {
     for (const auto& law : horseshoe_laws(missing)) laws.emplace(law->shape(), law);

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "design/design.h"
@@ -15,11 +16,11 @@ namespace latticast {
 /// E of the lattice in MPa. Throws UnsupportedDesign when its material is not linear.
 double strand_modulus_mpa(const Lattice& lattice);
 
-/// One strand's arc. Precondition: the grid has horseshoes.
-HorseshoeShape horseshoe_shape(const Segment& segment, const Grid& grid, double width_mm);
+/// The link of one strand; empty where strands are straight.
+std::optional<HorseshoeShape> link_shape(const Segment& segment, const Grid& grid, double width_mm);
 
-/// The distinct shapes of a segment's horseshoe strands; none without a lattice.
-std::vector<HorseshoeShape> horseshoe_shapes(const Segment& segment);
+/// The distinct links of a segment's curved strands; none without a lattice.
+std::vector<HorseshoeShape> link_shapes(const Segment& segment);
 
 /// Laws, found by their shapes.
 using LawsByShape =

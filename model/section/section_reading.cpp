@@ -53,9 +53,9 @@ double joint_modulus(double modulus_mpa, double width_mm, double sine, const Rin
 }
 
 void refuse_in_mixture(const Grid& grid, std::size_t index) {
-  if (grid.horseshoe) {
-    throw UnsupportedDesign(grid_name(index) +
-                            " has horseshoe strands, which the mixture wall cannot tell from "
+  if (is_curved(grid.path)) {
+    throw UnsupportedDesign(grid_name(index) + " has " + std::string(describe(grid.path).name) +
+                            " strands, which the mixture wall cannot tell from "
                             "straight ones; use kind = \"layered\"");
   }
   const auto [thin, wide] = std::minmax_element(grid.widths_mm.begin(), grid.widths_mm.end());
@@ -89,8 +89,8 @@ StrandFamily strand_family(const Layer& layer, std::size_t index) {
   double filled = 0;
   for (const double width : grid.widths_mm) {
     StrandPlace strand;
-    if (grid.horseshoe) {
-      strand.law = layer.laws.at(horseshoe_shape(segment, grid, width));
+    if (const auto link = link_shape(segment, grid, width)) {
+      strand.law = layer.laws.at(*link);
       family.arcs_per_mm = 1 / (rest_chord_mm(strand.law->shape()) * family.sine);
     } else {
       // The mixture counts no strips: a family as a whole carries c2, whatever its strands.

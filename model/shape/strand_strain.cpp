@@ -5,9 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "design/units.h"
-#include "geometry/pattern/horseshoe_path.h"
 #include "geometry/pattern/rings.h"
+#include "geometry/pattern/strand_path.h"
 #include "model/horseshoe/horseshoe_fibre.h"
 #include "model/horseshoe/horseshoe_strands.h"
 #include "model/shape/inflated_wall.h"
@@ -26,8 +25,8 @@ struct Family {
   double cosine = 0;
   double spacing_mm = 0;   // along u
   double reach_mm = 0;     // of a strand's outline from its line
-  Horseshoe drawn{};       // with the closing radius
-  std::vector<int> shape;  // of each strand
+  PlacedStrand drawn;      // with the path as it is drawn
+  std::vector<int> shape;  // of each strand; none: straight
 };
 
 // All that a segment's strands are found by.
@@ -65,14 +64,11 @@ Family family_of(const Segment& segment, int index, std::vector<HorseshoeShape>&
   family.cosine = grid.angle_deg == 90 ? 0 : std::cos(angle);
   family.spacing_mm = segment.lattice_circumference_mm() / grid.count();
   family.reach_mm = 0.5 * *std::max_element(grid.widths_mm.begin(), grid.widths_mm.end());
-  if (!grid.horseshoe) return family;
-  const HorseshoeColumn column{*grid.horseshoe, 0, grid.angle_deg, 0, segment.length_mm};
-  family.drawn = *grid.horseshoe;
-  family.drawn.radius_mm = closing_radius_mm(column);
-  family.reach_mm +=
-      family.drawn.radius_mm * (1 - std::cos(0.5 * radians(grid.horseshoe->arc_deg)));
+  family.drawn = closed(placed_strand(segment, grid));
+  family.reach_mm += reach_mm(family.drawn);
   for (const double width : grid.widths_mm) {
-    family.shape.push_back(shape_index(shapes, horseshoe_shape(segment, grid, width)));
+    const auto link = link_shape(segment, grid, width);
+    if (link) family.shape.push_back(shape_index(shapes, *link));
   }
   return family;
 }
@@ -81,7 +77,6 @@ Family family_of(const Segment& segment, int index, std::vector<HorseshoeShape>&
 double outside_mm(const Family& family, int strand, double beside_mm, double along_mm) {
   const double half_width = 0.5 * family.grid->widths_mm[strand];
   const double across = beside_mm * family.sine;
-  if (family.shape.empty()) return std::abs(across) - half_width;
   const double along_chord = beside_mm * family.cosine + along_mm / family.sine;
   return centre_line_distance_mm(family.drawn, along_chord, across) - half_width;
 }

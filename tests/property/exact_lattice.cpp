@@ -110,12 +110,12 @@ ExactLattice::ExactLattice(const Segment& segment)
   }
   for (const Grid& grid : lattice.grids) {
     for (int i = 0; i < grid.count(); ++i) {
-      if (!grid.horseshoe) add_strip(grid, i);
+      if (!is_curved(grid.path)) add_strip(grid, i);
     }
   }
   for (const Grid& grid : lattice.grids) {
     for (int i = 0; i < grid.count(); ++i) {
-      if (grid.horseshoe) add_horseshoes(grid, i);
+      if (is_curved(grid.path)) add_horseshoes(grid, i);
     }
   }
   add_sides();
@@ -132,8 +132,9 @@ void ExactLattice::add_strip(const Grid& grid, int strand) {
 // Arcs from the middle of the strand to its first way out, at either end.
 void ExactLattice::add_horseshoes(const Grid& grid, int strand) {
   const double angle = grid.angle_rad();
-  const double half = 0.5 * radians(grid.horseshoe->arc_deg);
-  const double asked = 2 * grid.horseshoe->radius_mm * std::sin(half) * std::sin(angle);
+  const double half = 0.5 * radians(std::get<Horseshoe>(grid.path).arc_deg);
+  const double asked =
+      2 * std::get<Horseshoe>(grid.path).radius_mm * std::sin(half) * std::sin(angle);
   const double count = std::max(1.0, std::round(length_ / asked));
   const double radius = length_ / count / (2 * std::sin(half) * std::sin(angle));
   const double chord = 2 * radius * std::sin(half);
@@ -141,7 +142,9 @@ void ExactLattice::add_horseshoes(const Grid& grid, int strand) {
   const Vector along{std::cos(angle), std::sin(angle)};
   const Vector right{std::sin(angle), -std::cos(angle)};
   const Vector start{strand * circumference_ / grid.count(), 0};
-  const auto side_of = [&](int arc) { return grid.horseshoe->alternate && arc % 2 != 0 ? -1 : 1; };
+  const auto side_of = [&](int arc) {
+    return std::get<Horseshoe>(grid.path).alternate && arc % 2 != 0 ? -1 : 1;
+  };
   const auto centre_of = [&](int arc) {
     return start + (arc + 0.5) * chord * along - side_of(arc) * radius * std::cos(half) * right;
   };
@@ -158,7 +161,7 @@ void ExactLattice::add_horseshoes(const Grid& grid, int strand) {
     const double first = side_of(arc) > 0 ? zero + from : zero - to;
     arcs_.push_back(
         {c.u, c.z, radius - 0.5 * width, radius + 0.5 * width, first, first + (to - from)});
-    if (grid.horseshoe->alternate || to < half) return;  // joined to no next arc
+    if (std::get<Horseshoe>(grid.path).alternate || to < half) return;  // joined to no next arc
     const Vector joint = start + (arc + 1) * chord * along;
     arcs_.push_back({joint.u, joint.z, 0, 0.5 * width, 0, 2 * pi});
   };

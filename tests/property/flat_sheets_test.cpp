@@ -64,7 +64,7 @@ void try_segment(const Segment& segment, double tolerance_mm, Tally& tally) {
   }
   ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(segment, sheet, matching));
   ++tally.sheets;
-  for (const Grid& grid : segment.lattice->grids) tally.with_arcs += grid.horseshoe.has_value();
+  for (const Grid& grid : segment.lattice->grids) tally.with_arcs += is_curved(grid.path);
 }
 
 class FlatSheets : public testing::TestWithParam<int> {};

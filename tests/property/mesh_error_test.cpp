@@ -85,7 +85,7 @@ void add_strips(RandomNumbers& random, Segment& segment) {
   const int count = random.whole(1, 8);
   const double sine = std::sin(angle * std::numbers::pi / 180);
   const double width = random.between(0.05, 0.6) * around * sine / count;
-  segment.lattice->grids.push_back({angle, std::vector<double>(count, width), std::nullopt});
+  segment.lattice->grids.push_back({angle, std::vector<double>(count, width), StraightPath{}});
 }
 
 Design random_design(RandomNumbers& random) {
@@ -115,8 +115,7 @@ Design random_design(RandomNumbers& random) {
 
 bool has_horseshoes(const Segment& segment) {
   const std::vector<Grid>& grids = segment.lattice->grids;
-  return std::any_of(grids.begin(), grids.end(),
-                     [](const Grid& g) { return g.horseshoe.has_value(); });
+  return std::any_of(grids.begin(), grids.end(), [](const Grid& g) { return is_curved(g.path); });
 }
 
 // The area that fillets between straight strands would have: drawn far finer than the mesh is.

@@ -144,7 +144,7 @@ TEST(CastingChecks, NeverThrow) {
     lattice.rings = Rings{2, std::nullopt, uniform(0.1, 2)};
     lattice.grids[0].angle_deg = uniform(10, 170);
     lattice.grids[0].widths_mm.assign(3, uniform(0.05, 0.8));
-    if (i % 5 == 0) lattice.grids[0].horseshoe = Horseshoe{uniform(0.5, 3), 180, i % 2 == 0};
+    if (i % 5 == 0) lattice.grids[0].path = Horseshoe{uniform(0.5, 3), 180, i % 2 == 0};
     Design design = cast(segment);
     design.output.tolerance_mm = 0.05;
     design.make.lattice_mold->wall_mm = uniform(3.1, 6);

@@ -26,7 +26,7 @@ inline Segment twisting_segment() {
   segment.lattice.emplace();
   segment.lattice->thickness_mm = 2;
   segment.lattice->rings = Rings{8, std::nullopt, 2};
-  segment.lattice->grids.push_back({36, std::vector<double>(8, 2.0), std::nullopt});
+  segment.lattice->grids.push_back({36, std::vector<double>(8, 2.0), StraightPath{}});
   return segment;
 }
 

@@ -99,10 +99,10 @@ double drawn_gap(const Segment& segment, const Grid& grid, int first, int second
   const double stretch = segment.liner_outer_radius_mm() / segment.lattice_mid_radius_mm();
   const double spacing = 2 * test_pi * segment.lattice_mid_radius_mm() / grid.count();
   const auto points = [&](int strand) {
-    const HorseshoeColumn column{*grid.horseshoe, strand * spacing, grid.angle_deg,
+    const HorseshoeColumn column{std::get<Horseshoe>(grid.path), strand * spacing, grid.angle_deg,
                                  grid.widths_mm[strand], segment.length_mm};
     std::vector<PlanePoint> all;
-    for (const Strand& arc : draw_horseshoe(column, 1e-3).arcs) {
+    for (const Strand& arc : draw_strand(column, 1e-3).links) {
       for (std::size_t i = 0; i < arc.outline.size(); ++i) {
         const PlanePoint a = arc.outline[i];
         const PlanePoint b = arc.outline[(i + 1) % arc.outline.size()];
@@ -263,7 +263,7 @@ TEST(PrintChecks, NeverThrow) {
       const double share =
           2 * test_pi * segment.lattice_mid_radius_mm() * std::sin(angle * test_pi / 180) / count;
       const std::vector<double> widths(count, share * uniform(random, 0.01, 0.98));
-      lattice.grids.push_back({angle, widths, std::nullopt});
+      lattice.grids.push_back({angle, widths, StraightPath{}});
       if (i % 7 != 0) continue;
       HorseshoeColumn column{{size * power(0.05, 0.5), uniform(random, 90, 180), true},
                              0,
@@ -271,7 +271,7 @@ TEST(PrintChecks, NeverThrow) {
                              widths[0],
                              segment.length_mm};
       column.shape.radius_mm = closing_radius_mm(column);
-      lattice.grids.back().horseshoe = column.shape;
+      lattice.grids.back().path = column.shape;
     }
     if (!lattice.rings && lattice.grids.empty()) continue;
     Design design = i % 2 == 0 ? printed(segment) : cast(segment);
@@ -300,10 +300,10 @@ TEST(Overhang, SlopesAreThoseOfTheOuterRadius) {
   EXPECT_NEAR(least_slope_deg(segment, grid), slope, 1e-9);
   grid.angle_deg = 90;
   EXPECT_EQ(least_slope_deg(segment, grid), 90);
-  grid.horseshoe = Horseshoe{3, 60, true};
+  grid.path = Horseshoe{3, 60, true};
   EXPECT_NEAR(least_slope_deg(segment, grid),
               std::atan2(std::tan(test_pi / 3) * 17, 18) * 180 / test_pi, 1e-9);
-  grid.horseshoe->arc_deg = 180;
+  std::get<Horseshoe>(grid.path).arc_deg = 180;
   EXPECT_EQ(least_slope_deg(segment, grid), 0);
 }
 

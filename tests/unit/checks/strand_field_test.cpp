@@ -53,7 +53,7 @@ double largest_of(const std::vector<double>& strains) {
 double beside_line(const Segment& segment, const State& state) {
   double bound = 0;
   for (const Grid& grid : segment.lattice->grids) {
-    if (grid.horseshoe) continue;
+    if (is_curved(grid.path)) continue;
     const double width = *std::max_element(grid.widths_mm.begin(), grid.widths_mm.end());
     const double half = 0.5 * width / std::sin(grid.angle_deg * std::numbers::pi / 180);
     bound = std::max(bound, half / segment.lattice_mid_radius_mm());

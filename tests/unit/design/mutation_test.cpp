@@ -68,9 +68,9 @@ void expect_rules_of(const Grid& grid, const Segment& segment) {
     const double next = grid.widths_mm[(j + 1) % grid.count()];
     EXPECT_LT((grid.widths_mm[j] + next) / 2, share);
   }
-  if (grid.horseshoe) {
-    EXPECT_TRUE(is_length(grid.horseshoe->radius_mm));
-    EXPECT_TRUE(grid.horseshoe->arc_deg >= 20 && grid.horseshoe->arc_deg <= 300);
+  if (const auto* horseshoe = std::get_if<Horseshoe>(&grid.path)) {
+    EXPECT_TRUE(is_length(horseshoe->radius_mm));
+    EXPECT_TRUE(horseshoe->arc_deg >= 20 && horseshoe->arc_deg <= 300);
   }
 }
 

@@ -95,10 +95,10 @@ RandomExample random_bending_example(Random& random) {
     const double angle = random.chance(0.3) ? 90 : random.between(10, 170);
     const int count = random.integer(i == 0 ? 1 : 2, 10);
     const double room = 2 * pi * middle * std::sin(angle * degree) / count;
-    Grid grid{angle, std::vector<double>(count, room * random.between(0.02, 0.5)), std::nullopt};
+    Grid grid{angle, std::vector<double>(count, room * random.between(0.02, 0.5)), StraightPath{}};
     if (i == 0) grid.widths_mm = random_widths(random, count, grid.widths_mm[0]);
     if (random.chance(0.5)) {
-      grid.horseshoe =
+      grid.path =
           Horseshoe{room * random.between(0.2, 2), random.between(30, 260), random.chance(0.5)};
     }
     lattice.grids.push_back(grid);

@@ -27,7 +27,7 @@ inline Segment tube(double inner_mm, double outer_mm, const Law& law) {
 }
 
 inline Grid grid(double angle_deg, int count, double width_mm) {
-  return {angle_deg, std::vector<double>(count, width_mm), std::nullopt};
+  return {angle_deg, std::vector<double>(count, width_mm), StraightPath{}};
 }
 
 /// MODEL.md section 3: liner 12-16, lattice 16-18, mu 0.08, E 19.46, 8 rings of 2 on 85 mm, and 8

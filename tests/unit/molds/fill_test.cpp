@@ -142,8 +142,8 @@ TEST(Fill, CountsCavitiesAndTheirHighPoints) {
   // Two families of strips that cross between the ends: every end is a high point of its own.
   Segment crossed = twisting_segment();
   crossed.lattice->rings.reset();
-  crossed.lattice->grids = {{50, std::vector<double>(3, 2.0), std::nullopt},
-                            {130, std::vector<double>(3, 2.0), std::nullopt}};
+  crossed.lattice->grids = {{50, std::vector<double>(3, 2.0), StraightPath{}},
+                            {130, std::vector<double>(3, 2.0), StraightPath{}}};
   const FillPlan ends = fill_of(crossed);
   EXPECT_EQ(ends.cavities, 1);
   EXPECT_EQ(ends.sprues.size(), 1U);

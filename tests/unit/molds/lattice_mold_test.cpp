@@ -30,7 +30,7 @@ std::vector<NamedSegment> segments() {
   Segment strips_only = twisting_segment();
   strips_only.lattice->rings.reset();
   Segment crossed = twisting_segment();
-  crossed.lattice->grids.push_back({144, std::vector<double>(8, 2.0), std::nullopt});
+  crossed.lattice->grids.push_back({144, std::vector<double>(8, 2.0), StraightPath{}});
   return {{"twisting", twisting_segment()},
           {"bending", bending_segment()},
           {"superimposed", superimposed_segment()},

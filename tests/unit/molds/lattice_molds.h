@@ -23,7 +23,7 @@ inline Segment ringed_segment() {
 
 inline Segment twisting_segment() {
   Segment segment = ringed_segment();
-  segment.lattice->grids = {{36, std::vector<double>(8, 2.0), std::nullopt}};
+  segment.lattice->grids = {{36, std::vector<double>(8, 2.0), StraightPath{}}};
   return segment;
 }
 
@@ -49,7 +49,7 @@ inline Segment superimposed_segment() {
 inline Segment column_segment(int count = 6, double width = 2) {
   Segment segment = ringed_segment();
   segment.lattice->rings.reset();
-  segment.lattice->grids = {{90, std::vector<double>(count, width), std::nullopt}};
+  segment.lattice->grids = {{90, std::vector<double>(count, width), StraightPath{}}};
   return segment;
 }
 

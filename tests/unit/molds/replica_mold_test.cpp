@@ -54,7 +54,7 @@ void expect_replica(const Segment& segment) {
 }
 
 TEST(ReplicaMold, OfStrips) {
-  expect_replica(paper_segment({36, std::vector<double>(8, 2.0), std::nullopt}));
+  expect_replica(paper_segment({36, std::vector<double>(8, 2.0), StraightPath{}}));
 }
 
 TEST(ReplicaMold, OfHorseshoes) {
@@ -63,7 +63,7 @@ TEST(ReplicaMold, OfHorseshoes) {
 }
 
 TEST(ReplicaMold, RefusesWhatADirectMoldRefuses) {
-  const Segment segment = paper_segment({36, std::vector<double>(8, 2.0), std::nullopt});
+  const Segment segment = paper_segment({36, std::vector<double>(8, 2.0), StraightPath{}});
   LatticeMoldOptions options;
   options.fit.wall_mm = 0.1;
   EXPECT_THROW(replica_mold(segment, options), CannotMold);

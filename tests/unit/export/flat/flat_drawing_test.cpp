@@ -187,7 +187,7 @@ TEST(FlatDrawing, NotesNameRadiusAnglesAndWidths) {
   segment.length_mm = 85;
   segment.liner = {12, 4, {}};
   segment.lattice = Lattice{2, {}, Rings{8, std::nullopt, 2.5}, {}};
-  segment.lattice->grids = {{36, {2, 3, 2.5}, std::nullopt},
+  segment.lattice->grids = {{36, {2, 3, 2.5}, StraightPath{}},
                             {90, {1}, Horseshoe{2.656, 170, true}}};
   segment.lattice->fillet_mm = 0.5;
   std::string all;

@@ -48,7 +48,7 @@ TEST(DrawingProblems, AreNoneForWhatCanBeDrawn) {
   // To three decimals, as a person writes it.
   EXPECT_TRUE(drawing_problems(segment_with({2.656, 180, true}, {1, 2, 1, 2})).empty());
   Segment straight = segment_with(closing, {1});
-  straight.lattice->grids[0].horseshoe.reset();
+  straight.lattice->grids[0].path = StraightPath{};
   EXPECT_TRUE(drawing_problems(straight).empty());
   straight.lattice.reset();
   EXPECT_TRUE(drawing_problems(straight).empty());
@@ -59,7 +59,8 @@ TEST(DrawingProblems, RadiusThatDoesNotCloseIsNamedOnceWithTheNearestThatDoes) {
   const std::string problem = only_problem(segment);
   EXPECT_NE(problem.find("lattice.grid[0].horseshoe: 15.74 arcs"), std::string::npos) << problem;
   EXPECT_NEAR(number_after(problem, "whole number; radius "), 85.0 / 32, 1e-5);
-  segment.lattice->grids[0].horseshoe->radius_mm = number_after(problem, "whole number; radius ");
+  std::get<Horseshoe>(segment.lattice->grids[0].path).radius_mm =
+      number_after(problem, "whole number; radius ");
   EXPECT_TRUE(drawing_problems(segment).empty());
 }
 
@@ -67,10 +68,11 @@ TEST(DrawingProblems, StrandsThatFoldOverThemselvesGetARadius) {
   Segment segment = segment_with({85.0 / 320, 180, true}, {0.4, 0.6, 0.4});
   const std::string problem = only_problem(segment);
   EXPECT_NE(problem.find("strand 1 of 3 (at 120.0 degrees"), std::string::npos) << problem;
-  segment.lattice->grids[0].horseshoe->radius_mm = number_after(problem, "themselves: radius ");
+  std::get<Horseshoe>(segment.lattice->grids[0].path).radius_mm =
+      number_after(problem, "themselves: radius ");
   EXPECT_TRUE(drawing_problems(segment).empty());
   segment.lattice->grids[0].widths_mm = {20};
-  segment.lattice->grids[0].horseshoe = Horseshoe{5, 180, true};
+  segment.lattice->grids[0].path = Horseshoe{5, 180, true};
   segment.length_mm = 10;
   EXPECT_NEAR(number_after(only_problem(segment), "width below "), 10, 1e-9);
 }
@@ -81,7 +83,7 @@ TEST(DrawingProblems, ArcsThatRunIntoTheNextGetASmallerArc) {
     Segment segment = segment_with(wide, {3.5, 3.5});
     const std::string problem = only_problem(segment);
     EXPECT_NE(problem.find("270 degrees"), std::string::npos) << problem;
-    Horseshoe& shape = *segment.lattice->grids[0].horseshoe;
+    Horseshoe& shape = std::get<Horseshoe>(segment.lattice->grids[0].path);
     shape.arc_deg = number_after(problem, "; arc ");
     shape.radius_mm = number_after(problem, "with radius ");
     ASSERT_GT(shape.radius_mm, 1);
@@ -126,7 +128,8 @@ TEST(DrawingProblems, StrandsPartedByTheCutGetMoreArcs) {
   Segment segment = segment_with({radius, 180, true}, {1}, 10);
   segment.liner.inner_radius_mm = 1000;
   const std::string problem = only_problem(segment);
-  segment.lattice->grids[0].horseshoe->radius_mm = number_after(problem, "it; radius ");
+  std::get<Horseshoe>(segment.lattice->grids[0].path).radius_mm =
+      number_after(problem, "it; radius ");
   EXPECT_TRUE(drawing_problems(segment).empty());
 }
 

@@ -41,8 +41,8 @@ bool holds(const Strand& strand, PlanePoint p) {
   return inside;
 }
 
-bool holds(const DrawnHorseshoe& drawn, PlanePoint p) {
-  return std::any_of(drawn.arcs.begin(), drawn.arcs.end(),
+bool holds(const DrawnStrand& drawn, PlanePoint p) {
+  return std::any_of(drawn.links.begin(), drawn.links.end(),
                      [&](const Strand& arc) { return holds(arc, p); });
 }
 
@@ -88,10 +88,10 @@ TEST(HorseshoePath, OutlinesEncloseTheAreaOfTheArcs) {
           const HorseshoeColumn column = closed_column(90, arc, true, arcs, ratio);
           SCOPED_TRACE(testing::Message() << arc << " " << ratio << " " << arcs << " " << flatness);
           const double scaled = flatness * column.width_mm;
-          const DrawnHorseshoe drawn = draw_horseshoe(column, scaled);
+          const DrawnStrand drawn = draw_strand(column, scaled);
           EXPECT_TRUE(drawn.in_one_piece);
           double sum = 0;
-          for (const Strand& strand : drawn.arcs) {
+          for (const Strand& strand : drawn.links) {
             EXPECT_GT(area(strand), 0);
             sum += area(strand);
           }
@@ -126,7 +126,7 @@ TEST(HorseshoePath, OutlinesFollowTheTrueArcs) {
     SCOPED_TRACE(testing::Message()
                  << "seed " << seed << " trial " << trial << ": angle " << angle << " arc " << arc
                  << " R " << radius << " w " << column.width_mm << (alternate ? "" : " one-sided"));
-    const DrawnHorseshoe drawn = draw_horseshoe(column, flatness);
+    const DrawnStrand drawn = draw_strand(column, flatness);
     const double reach = 2 * radius + column.width_mm;
     for (int i = 0; i < 800; ++i) {
       const double z = between(0, column.length_mm);
@@ -158,12 +158,12 @@ TEST(HorseshoePath, OutlinesFollowTheTrueArcs) {
 TEST(HorseshoePath, NeighbouringArcsShareTheirCornersBitForBit) {
   for (const double angle : {90.0, 63.0, 137.0}) {
     const HorseshoeColumn column = closed_column(angle, 150, true, 9, 0.4);
-    const DrawnHorseshoe drawn = draw_horseshoe(column, 0.01);
+    const DrawnStrand drawn = draw_strand(column, 0.01);
     int shared = 0;
-    for (std::size_t i = 0; i < drawn.arcs.size(); ++i) {
-      for (std::size_t j = i + 1; j < drawn.arcs.size(); ++j) {
-        for (const PlanePoint& p : drawn.arcs[i].outline) {
-          for (const PlanePoint& q : drawn.arcs[j].outline) shared += p.u == q.u && p.z == q.z;
+    for (std::size_t i = 0; i < drawn.links.size(); ++i) {
+      for (std::size_t j = i + 1; j < drawn.links.size(); ++j) {
+        for (const PlanePoint& p : drawn.links[i].outline) {
+          for (const PlanePoint& q : drawn.links[j].outline) shared += p.u == q.u && p.z == q.z;
         }
       }
     }
@@ -177,7 +177,7 @@ TEST(HorseshoePath, IsCutLevelAndStaysOnTheSegment) {
       const HorseshoeColumn column = closed_column(angle, arc, true, 12, 0.3);
       double low = HUGE_VAL;
       double high = -HUGE_VAL;
-      for (const Strand& strand : draw_horseshoe(column, 0.003).arcs) {
+      for (const Strand& strand : draw_strand(column, 0.003).links) {
         for (const PlanePoint& p : strand.outline) {
           low = std::min(low, p.z);
           high = std::max(high, p.z);
@@ -190,9 +190,9 @@ TEST(HorseshoePath, IsCutLevelAndStaysOnTheSegment) {
 }
 
 TEST(HorseshoePath, SaysWhenTheCutPartsTheStrand) {
-  EXPECT_TRUE(draw_horseshoe(closed_column(60, 180, true, 8, 0.2), 0.01).in_one_piece);
+  EXPECT_TRUE(draw_strand(closed_column(60, 180, true, 8, 0.2), 0.01).in_one_piece);
   // Four half circles at 10 degrees: the third one dips from the middle to below the near end.
-  EXPECT_FALSE(draw_horseshoe(closed_column(10, 180, true, 4, 0.2), 0.01).in_one_piece);
+  EXPECT_FALSE(draw_strand(closed_column(10, 180, true, 4, 0.2), 0.01).in_one_piece);
 }
 
 TEST(HorseshoePath, DistanceOfNeighboursIsTheirSpacingWhereArcsNest) {

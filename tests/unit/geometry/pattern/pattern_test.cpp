@@ -37,7 +37,7 @@ Segment example_segment() {
 }
 
 Grid family(double angle_deg, std::vector<double> widths_mm) {
-  return {angle_deg, std::move(widths_mm), std::nullopt};
+  return {angle_deg, std::move(widths_mm), StraightPath{}};
 }
 
 // Distance between the two long sides of a strip.
@@ -132,9 +132,9 @@ TEST(Pattern, HorseshoesAreDrawnBesideStraightStripsAndRings) {
   Segment segment = example_segment();
   segment.lattice->rings = Rings{8, std::nullopt, 2};
   segment.lattice->grids = {family(36, {2}), family(90, {1, 2, 1, 2})};
-  segment.lattice->grids[1].horseshoe = Horseshoe{85.0 / 32, 150, true};
+  segment.lattice->grids[1].path = Horseshoe{85.0 / 32, 150, true};
   const double radius = 85.0 / 32 / std::sin(75 * radians_per_degree);
-  segment.lattice->grids[1].horseshoe->radius_mm = radius;
+  std::get<Horseshoe>(segment.lattice->grids[1].path).radius_mm = radius;
   const double circumference = 2 * std::numbers::pi * 17;
   const double arcs = 16 * radius * 150 * radians_per_degree * (1 + 2 + 1 + 2);
   const double strips = 85 * 2 / std::sin(36 * radians_per_degree);

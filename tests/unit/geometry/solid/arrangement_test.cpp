@@ -245,9 +245,9 @@ TEST(Arrangement, DoesNotDragEdgesAlongTheGrid) {
       {158.7191464,
        {0.2094638263, 0.1829696521, 0.2082820219, 0.2121217581, 0.2093805657, 0.2227162502,
         0.1692357028, 0.1910986322, 0.1822880899, 0.1789425578, 0.182672458},
-       std::nullopt},
-      {168.940829, std::vector<double>(7, 1.241418486), std::nullopt},
-      {56.10407753, std::vector<double>(4, 4.085531037), std::nullopt}};
+       StraightPath{}},
+      {168.940829, std::vector<double>(7, 1.241418486), StraightPath{}},
+      {56.10407753, std::vector<double>(4, 4.085531037), StraightPath{}}};
   const Pattern pattern = draw_lattice(segment, 0.005);
   const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, pattern.length_mm,
                                          columns_for(segment.outer_radius_mm(), 0.007415178236));

@@ -14,7 +14,7 @@ inline Segment example_segment(double angle_deg = 36) {
   segment.length_mm = 85;
   segment.liner = {12, 4, {}};
   segment.lattice = Lattice{2, {}, Rings{8, std::nullopt, 2}, {}};
-  segment.lattice->grids = {{angle_deg, std::vector<double>(8, 2.0), std::nullopt}};
+  segment.lattice->grids = {{angle_deg, std::vector<double>(8, 2.0), StraightPath{}}};
   return segment;
 }
 
@@ -24,7 +24,7 @@ inline Segment strips_only(double angle_deg, double inner_radius_mm, double thic
   segment.length_mm = 30;
   segment.liner = {0.5 * inner_radius_mm, 0.5 * inner_radius_mm, {}};
   segment.lattice = Lattice{thickness_mm, {}, std::nullopt, {}};
-  segment.lattice->grids = {{angle_deg, std::vector<double>(3, 2.0), std::nullopt}};
+  segment.lattice->grids = {{angle_deg, std::vector<double>(3, 2.0), StraightPath{}}};
   return segment;
 }
 
@@ -35,8 +35,8 @@ inline Segment narrow_windows() {
   segment.length_mm = 32.84091236;
   segment.liner = {9.479393477, 4.457578991, {}};
   segment.lattice = Lattice{3.729674569, {}, std::nullopt, {}};
-  segment.lattice->grids = {{157.7142928, std::vector<double>(10, 3.765127723), std::nullopt},
-                            {22.28493312, std::vector<double>(11, 3.422730549), std::nullopt}};
+  segment.lattice->grids = {{157.7142928, std::vector<double>(10, 3.765127723), StraightPath{}},
+                            {22.28493312, std::vector<double>(11, 3.422730549), StraightPath{}}};
   return segment;
 }
 

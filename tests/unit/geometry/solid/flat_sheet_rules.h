@@ -164,7 +164,7 @@ inline SheetTopology triangle_topology(const PlaneMesh& mesh) {
 inline Region flat_region(const Segment& segment, const FlatSheet& sheet, double tolerance_mm) {
   const Lattice& lattice = *segment.lattice;
   const bool arcs = std::any_of(lattice.grids.begin(), lattice.grids.end(),
-                                [](const Grid& grid) { return grid.horseshoe.has_value(); });
+                                [](const Grid& grid) { return is_curved(grid.path); });
   const double share = lattice.fillet_mm == 0 ? 0.95 : arcs ? 0.44 : 0.88;
   const double flatness = share * tolerance_mm;
   Pattern pattern = draw_lattice(segment, flatness);

@@ -48,7 +48,7 @@ TEST(FlatSheet, OfRingsIsARectangleEach) {
 }
 
 TEST(FlatSheet, SlitsTheStrandAtThetaZeroIntoTwoHalves) {
-  const Segment segment = segment_of({{90, std::vector<double>(8, 2.0), std::nullopt}});
+  const Segment segment = segment_of({{90, std::vector<double>(8, 2.0), StraightPath{}}});
   const FlatSheet sheet = flat_sheet(segment, 0.01);
   ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(segment, sheet, 0.01));
   ASSERT_EQ(sheet.pieces.size(), 9U);
@@ -71,7 +71,7 @@ TEST(FlatSheet, OfTheExampleHasTheOutlinesThatTheTubeHasLessTheSlitOnes) {
 
 TEST(FlatSheet, OfStrandsWiderThanTheirSpacingIsTheRectangle) {
   for (const double angle : {36.0, 90.0, 150.0}) {
-    const Segment segment = segment_of({{angle, std::vector<double>(4, 40.0), std::nullopt}});
+    const Segment segment = segment_of({{angle, std::vector<double>(4, 40.0), StraightPath{}}});
     const FlatSheet sheet = flat_sheet(segment, 0.01);
     ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(segment, sheet, 0.01));
     ASSERT_EQ(sheet.pieces.size(), 1U);
@@ -86,7 +86,7 @@ TEST(FlatSheet, OfStrandsWiderThanTheirSpacingIsTheRectangle) {
 TEST(FlatSheet, OfASingleStrandIsAsManyPartsAsItCrossesTheSlit) {
   for (const double angle : {0.5, 36.0, 144.0, 179.5}) {
     SCOPED_TRACE(angle);
-    const Segment segment = segment_of({{angle, {0.8}, std::nullopt}});
+    const Segment segment = segment_of({{angle, {0.8}, StraightPath{}}});
     const FlatSheet sheet = flat_sheet(segment, 0.01);
     ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(segment, sheet, 0.01));
     // The middle line starts on the slit; parts of both its ends lie on the slit's other side.
@@ -99,7 +99,7 @@ TEST(FlatSheet, OfASingleStrandIsAsManyPartsAsItCrossesTheSlit) {
 }
 
 TEST(FlatSheet, OfHundredsOfTurnsOfTwoFamiliesKeepsItsTopology) {
-  Segment segment = segment_of({{0.5, {0.3}, std::nullopt}, {179.5, {0.3}, std::nullopt}});
+  Segment segment = segment_of({{0.5, {0.3}, StraightPath{}}, {179.5, {0.3}, StraightPath{}}});
   segment.length_mm = 300;
   const FlatSheet sheet = flat_sheet(segment, 0.01);
   ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(segment, sheet, 0.01));
@@ -129,8 +129,8 @@ TEST(FlatSheet, JoinsWhatASlitThroughATipWouldLeaveInAPoint) {
   const double angle = 50;
   Segment segment = segment_of({});
   const double width = 2 * std::numbers::pi * 17 / 6 * std::sin(angle * std::numbers::pi / 180);
-  segment.lattice->grids = {{angle, std::vector<double>(2, width), std::nullopt},
-                            {180 - angle, std::vector<double>(3, width), std::nullopt}};
+  segment.lattice->grids = {{angle, std::vector<double>(2, width), StraightPath{}},
+                            {180 - angle, std::vector<double>(3, width), StraightPath{}}};
   const FlatSheet sheet = flat_sheet(segment, 0.05);
   ASSERT_GE(tips_on_slit(flat_region(segment, sheet, 0.05)), 1) << "no tip lies on the slit";
   EXPECT_GE(sheet.error.area_mm2, 2 * 0.05 * 0.05);
@@ -144,7 +144,7 @@ TEST(FlatSheet, OfRingsThatDoNotFitIsEmpty) {
 }
 
 TEST(FlatSheet, RefusesStrandsThinnerThanTheGridHolds) {
-  const Segment segment = segment_of({{90, {1e-4}, std::nullopt}});
+  const Segment segment = segment_of({{90, {1e-4}, StraightPath{}}});
   EXPECT_THROW(flat_sheet(segment, 1e-5), GeometryError);
 }
 

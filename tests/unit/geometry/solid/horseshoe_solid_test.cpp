@@ -56,7 +56,7 @@ TEST(HorseshoeSolid, HasTheVolumeOfItsArcs) {
       options.tolerance_mm = tolerance;
       const Solid solid = lattice_solid(segment, options);
       ASSERT_NO_FATAL_FAILURE(expect_sound(solid));
-      const double radius = segment.lattice->grids[0].horseshoe->radius_mm;
+      const double radius = std::get<Horseshoe>(segment.lattice->grids[0].path).radius_mm;
       const double expected = 16 * radius * radians(arc) * (1 + 2 + 1.5) * 2;
       EXPECT_NEAR(solid.volume_mm3, expected, 1e-4 * expected);
       EXPECT_EQ(solid.pieces, 3);
@@ -132,7 +132,7 @@ TEST(HorseshoeSolid, OfTangentContactsPassesItsAudit) {
         ASSERT_NO_FATAL_FAILURE(expect_sound(lattice_solid(segment, {})));
       }
       // Neighbours from either side that touch in a point: two families, half a turn apart.
-      const double radius = segment.lattice->grids[0].horseshoe->radius_mm;
+      const double radius = std::get<Horseshoe>(segment.lattice->grids[0].path).radius_mm;
       segment.liner.inner_radius_mm =
           (4 * radius + 2 * width) * 4 / (2 * std::numbers::pi) - 1 - segment.liner.thickness_mm;
       segment.lattice->grids.push_back(segment.lattice->grids[0]);
@@ -154,7 +154,7 @@ TEST(HorseshoeSolid, OfArcsThatGrazeStripsPassesItsAudit) {
       {70,
        {1.25043072, 1.499656597, 1.25813911, 2.143720825, 2.001661745, 1.985588601, 1.218743389,
         1.776134996, 1.664076109, 1.482037358, 2.035519933, 1.972110447},
-       std::nullopt}};
+       StraightPath{}}};
   SolidOptions options;
   options.tolerance_mm = 0.4011845126;
   ASSERT_NO_FATAL_FAILURE(expect_sound(lattice_solid(segment, options)));
@@ -162,7 +162,7 @@ TEST(HorseshoeSolid, OfArcsThatGrazeStripsPassesItsAudit) {
 
 TEST(HorseshoeSolid, CannotBeDrawnWithoutSayingWhy) {
   Segment segment = columns(90, 180, true, 16, {1});
-  segment.lattice->grids[0].horseshoe->radius_mm *= 1.02;
+  std::get<Horseshoe>(segment.lattice->grids[0].path).radius_mm *= 1.02;
   EXPECT_THROW(lattice_solid(segment, {}), CannotDraw);
 }
 
@@ -177,7 +177,7 @@ TEST(HorseshoeSolid, WallsStayWithinTheToleranceOfTheArcs) {
       options.tolerance_mm = tolerance;
       const Solid solid = lattice_solid(segment, options);
       const double middle = segment.lattice_mid_radius_mm();
-      const double radius = segment.lattice->grids[0].horseshoe->radius_mm;
+      const double radius = std::get<Horseshoe>(segment.lattice->grids[0].path).radius_mm;
       const double chord = 85.0 / 12;
       double worst = 0;
       int walls = 0;

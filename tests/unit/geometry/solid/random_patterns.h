@@ -71,7 +71,7 @@ inline Segment random_segment(RandomNumbers& random) {
     const int count = random.whole(1, 8);
     const double sine = std::sin(angle * std::numbers::pi / 180);
     const double width = random.between(0.02, 0.7) * circumference * sine / count;
-    segment.lattice->grids.push_back({angle, std::vector<double>(count, width), std::nullopt});
+    segment.lattice->grids.push_back({angle, std::vector<double>(count, width), StraightPath{}});
     angle = random_angle(random, angle);
   }
   return segment;

@@ -193,7 +193,7 @@ TEST(Region, OfAxialColumnsAndRingsAlone) {
   EXPECT_NEAR(area_mm2(unite(pattern, grid, {}, 0.01)), 3 * 2 * around, 4 * around * 2e-5);
 
   segment.lattice->rings.reset();
-  segment.lattice->grids = {{90, {1, 2, 3, 2}, std::nullopt}};
+  segment.lattice->grids = {{90, {1, 2, 3, 2}, StraightPath{}}};
   const Region columns = unite(draw_lattice(segment, 0.005), grid, {}, 0.01);
   EXPECT_NEAR(area_mm2(columns), 8 * 50, 8 * 50 * 2e-5);
   EXPECT_EQ(outline_loops(columns), 4);
@@ -204,7 +204,7 @@ TEST(Region, OfTheExampleHasTheAreaCountedByHand) {
   segment.length_mm = 85;
   segment.liner = {12, 4, {}};
   segment.lattice = Lattice{2, {}, Rings{8, std::nullopt, 2}, {}};
-  segment.lattice->grids = {{36, std::vector<double>(8, 2.0), std::nullopt}};
+  segment.lattice->grids = {{36, std::vector<double>(8, 2.0), StraightPath{}}};
   const Pattern pattern = draw_lattice(segment, 0.005);
   const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, 85, 79);
   const Region region = unite(pattern, grid, {}, 0.01);

@@ -127,8 +127,8 @@ TEST(TubeSolids, FarAlongTheActuatorStillPassTheAudit) {
     SolidOptions options = with_tolerance(0.05);
     options.start_z_mm = start;
     Segment segment = example_segment();
-    segment.lattice->grids.push_back({36.01, std::vector<double>(8, 2.0), std::nullopt});
-    segment.lattice->grids.push_back({120, std::vector<double>(5, 1.0), std::nullopt});
+    segment.lattice->grids.push_back({36.01, std::vector<double>(8, 2.0), StraightPath{}});
+    segment.lattice->grids.push_back({120, std::vector<double>(5, 1.0), StraightPath{}});
     ASSERT_NO_FATAL_FAILURE(expect_as_promised(lattice_solid(segment, options), 1e-11));
   }
 }
@@ -158,7 +158,7 @@ TEST(TubeSolids, RefuseStrandsThatTheGridCannotHold) {
   Segment segment = example_segment();
   segment.length_mm = 1e5;
   segment.lattice->rings = Rings{3, std::nullopt, 1e-3};
-  segment.lattice->grids = {{90, std::vector<double>(3, 2.0), std::nullopt}};
+  segment.lattice->grids = {{90, std::vector<double>(3, 2.0), StraightPath{}}};
   try {
     lattice_solid(segment, with_tolerance(0.0005));
     FAIL() << "rings thinner than a grid step were made";
@@ -171,7 +171,7 @@ TEST(TubeSolids, RefuseMeshesBeyondAllMemory) {
   Segment segment = example_segment();
   segment.liner = {1, 1, {}};
   segment.lattice->thickness_mm = 200;
-  segment.lattice->grids = {{45, std::vector<double>(5, 2.0), std::nullopt}};
+  segment.lattice->grids = {{45, std::vector<double>(5, 2.0), StraightPath{}}};
   EXPECT_THROW(lattice_solid(segment, with_tolerance(1e-5)), GeometryError);
 }
 

@@ -139,10 +139,10 @@ Segment random_segment(Random& random) {
     const bool uneven = i == 0 && random.chance(0.5);
     const double width = random.between(0.3, 1.5);
     const int count = random.integer(2, 8);
-    Grid grid{random.between(20, 160), std::vector<double>(count, width), std::nullopt};
+    Grid grid{random.between(20, 160), std::vector<double>(count, width), StraightPath{}};
     if (uneven) grid.widths_mm = halves(count, width, random.between(0.3, 1.5));
     if (uneven && random.chance(0.3)) grid.widths_mm[0] = random.between(0.3, 1.5);
-    if (random.chance(0.6)) grid.horseshoe = Horseshoe{radius, random.between(90, 200), true};
+    if (random.chance(0.6)) grid.path = Horseshoe{radius, random.between(90, 200), true};
     segment.lattice->grids.push_back(grid);
   }
   return segment;

@@ -44,9 +44,9 @@ Segment random_segment(Random& random) {
     if (i == 0) {
       for (double& width : widths) width = random.between(0.4, widest);
     }
-    Grid grid{random.between(30, 150), widths, std::nullopt};
+    Grid grid{random.between(30, 150), widths, StraightPath{}};
     if (random.chance(0.5)) {
-      grid.horseshoe = Horseshoe{random.between(2, 4), random.between(90, 220), true};
+      grid.path = Horseshoe{random.between(2, 4), random.between(90, 220), true};
     }
     segment.lattice->grids.push_back(grid);
   }

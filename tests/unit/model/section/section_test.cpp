@@ -346,10 +346,10 @@ TEST(Section, WhatCannotBePredictedIsRefusedByName) {
   ModelChoice mixture;
   mixture.wall = WallKind::mixture;
   Segment horseshoe = paper_segment({36, 90});
-  horseshoe.lattice->grids[1].horseshoe = Horseshoe{2.6, 180, true};
+  horseshoe.lattice->grids[1].path = Horseshoe{2.6, 180, true};
   EXPECT_EQ(refusal(horseshoe), "");
   EXPECT_NE(refusal(horseshoe, mixture).find("grid 1 has horseshoe strands"), std::string::npos);
-  horseshoe.lattice->grids[1].horseshoe->arc_deg = 5;
+  std::get<Horseshoe>(horseshoe.lattice->grids[1].path).arc_deg = 5;
   EXPECT_NE(refusal(horseshoe).find("cannot be predicted"), std::string::npos);
 
   Segment graded = paper_segment({36, 60});

@@ -117,7 +117,7 @@ TEST(StrandStrain, WhereStrandsMeetIsThatOfLargestMagnitude) {
 TEST(StrandStrain, FindsAWideStrandBehindNarrowOnes) {
   Segment segment = strips_alone({90});
   segment.lattice->rings = Rings{2, std::nullopt, 2};
-  segment.lattice->grids = {{90, {0.1, 0.1, 0.1, 60, 0.1, 0.1, 0.1, 0.1}, std::nullopt}};
+  segment.lattice->grids = {{90, {0.1, 0.1, 0.1, 60, 0.1, 0.1, 0.1, 0.1}, StraightPath{}}};
   TriangleMesh mesh;
   mesh.vertices = {at(17, 1.4 * pi / 4, 40), at(17, 5.6 * pi / 4, 40)};
   const StrandField field = strand_field(segment, mesh, start_z, 1e-6);
@@ -155,7 +155,7 @@ TEST(StrandStrain, OfHorseshoesIsTheirMostStretchedFibres) {
         strand_strains(strand_field(segment, mesh, start_z, 0.01), state);
     for (int i = 0; i < 12; ++i) {
       const double width = i / 2 % 2 == 0 ? 1 : 2;
-      const HorseshoeShape shape = horseshoe_shape(segment, segment.lattice->grids[0], width);
+      const HorseshoeShape shape = *link_shape(segment, segment.lattice->grids[0], width);
       EXPECT_NEAR(strains[i], largest_fibre_strain(shape, stretch - 1).value(), 1e-12) << i;
     }
   }
@@ -165,14 +165,14 @@ TEST(StrandStrain, OfHorseshoesIsTheirMostStretchedFibres) {
 TEST(StrandStrain, OfBentHorseshoesIsInterpolatedWithinATenThousandth) {
   Segment segment = columns(std::vector<double>(24, 0.6));
   segment.lattice->rings.reset();
-  segment.lattice->grids[0].horseshoe->radius_mm = 85.0 / 64;
+  std::get<Horseshoe>(segment.lattice->grids[0].path).radius_mm = 85.0 / 64;
   State state = twisted(1.1, 0, 12.2);
   state.bend_rad_per_mm = {0.012, 0.003};
   TriangleMesh mesh;
   for (int j = 0; j < 24; ++j) mesh.vertices.push_back(at(17, j * pi / 12, 0));
   const std::vector<double> strains =
       strand_strains(strand_field(segment, mesh, start_z, 0.01), state);
-  const HorseshoeShape shape = horseshoe_shape(segment, segment.lattice->grids[0], 0.6);
+  const HorseshoeShape shape = *link_shape(segment, segment.lattice->grids[0], 0.6);
   for (int j = 0; j < 24; ++j) {
     const double r = radius_then(17, state);
     const double chord = 0.1 + r * (0.012 * std::cos(j * pi / 12) + 0.003 * std::sin(j * pi / 12));
