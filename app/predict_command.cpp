@@ -27,7 +27,7 @@ Held held_coordinates(const std::vector<std::string>& names) {
 }
 
 void add_messages(const Response& response, std::size_t segment, const Console& console) {
-  for (const TurningPoint& point : response.turning_points) {
+  for (const AngleExtremum& point : response.angle_extrema) {
     console.note(fmt::format("segment {}: {}", segment + 1, point.name));
   }
   if (response.message.empty()) return;

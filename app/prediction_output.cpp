@@ -115,13 +115,13 @@ nlohmann::ordered_json to_json(const SegmentPrediction& result, const Segment& s
   json["status"] = name(result.response.status);
   json["message"] = result.response.message;
   json["limit_points"] = nlohmann::ordered_json::array();
-  for (const LimitPoint& point : result.response.limit_points) {
+  for (const CriticalPoint& point : result.response.critical_points) {
     json["limit_points"].push_back({{"name", point.name},
                                     {"pressure_kPa", point.pressure_kpa},
                                     {"state", to_json(point.state, segment)}});
   }
   json["turning_points"] = nlohmann::ordered_json::array();
-  for (const TurningPoint& point : result.response.turning_points) {
+  for (const AngleExtremum& point : result.response.angle_extrema) {
     json["turning_points"].push_back({{"name", point.name},
                                       {"pressure_kPa", point.pressure_kpa},
                                       {"state", to_json(point.state, segment)}});

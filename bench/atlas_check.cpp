@@ -119,7 +119,7 @@ bool turns_there(const PlainPath& path, const ScaledState& x, double pressure,
   return false;
 }
 
-Judgement judge_turning_back(const PlainPath& path, const LimitPoint& limit) {
+Judgement judge_turning_back(const PlainPath& path, const CriticalPoint& limit) {
   const double pressure = limit.pressure_kpa / kpa_per_mpa;
   const ScaledState x = path.scaled(limit.state);
   const auto at = path.stiffness(x, pressure);
@@ -141,13 +141,13 @@ Judgement judge_turning_back(const PlainPath& path, const LimitPoint& limit) {
 }
 
 /// Load stepping gets there; beyond, it does not arrive, or where nothing can be.
-Judgement judge_end(const PlainPath& path, const LimitPoint& limit) {
+Judgement judge_end(const PlainPath& path, const CriticalPoint& limit) {
   if (!is_finite(limit.state) || limit.name.empty()) return wrong("not a number");
-  if (limit.kind == LimitKind::limit_point) return judge_turning_back(path, limit);
+  if (limit.kind == CriticalKind::limit_point) return judge_turning_back(path, limit);
   const double pressure = limit.pressure_kpa / kpa_per_mpa;
   const PlainPath::End before = path.follow_to(0.99 * pressure);
   const PlainPath::End after = path.follow_to(1.02 * pressure, false);
-  const bool closure = limit.kind == LimitKind::closure;
+  const bool closure = limit.kind == CriticalKind::closure;
   const char* kind = closure ? "closure" : "asymptote";
   if (!before.arrived) {
     return wrong(kind, numbers("load stepping ends at %g of %g kPa",
@@ -187,8 +187,8 @@ Judgement judge_loss(const PlainPath& path, const Section& section, double press
 Judgement judge(const PlainPath& path, const Section& section, const Response& response,
                 std::size_t i, double pressure_kpa) {
   if (response.states[i]) return judge_state(path, *response.states[i]);
-  for (const LimitPoint& limit : response.limit_points) {
-    const bool ends = limit.kind != LimitKind::bifurcation;
+  for (const CriticalPoint& limit : response.critical_points) {
+    const bool ends = limit.kind != CriticalKind::bifurcation;
     if (ends && limit.pressure_kpa * pressure_kpa > 0 &&
         std::abs(limit.pressure_kpa) <= std::abs(pressure_kpa)) {
       return judge_end(path, limit);
@@ -329,8 +329,8 @@ double reference_pressure_kpa(const AtlasDesign& design) {
     const double far = 1e3 * fitting;
     const Response response =
         predict(design.segment, design.model, std::span(&far, 1), design.held);
-    for (const LimitPoint& limit : response.limit_points) {
-      if (limit.kind != LimitKind::bifurcation) return limit.pressure_kpa;
+    for (const CriticalPoint& limit : response.critical_points) {
+      if (limit.kind != CriticalKind::bifurcation) return limit.pressure_kpa;
     }
   } catch (const std::exception&) {
     return fitting;

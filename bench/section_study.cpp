@@ -31,7 +31,7 @@ struct Case {
 };
 
 double ballooning_kpa(const Segment& segment) {
-  return predict(segment, {}, std::vector<double>{1000}).limit_points.at(0).pressure_kpa;
+  return predict(segment, {}, std::vector<double>{1000}).critical_points.at(0).pressure_kpa;
 }
 
 std::vector<Case> cases() {
@@ -137,8 +137,8 @@ class Comparison {
       x[n] = balance_.scaled_pressure(what_.pressure_kpa / 1000);
       for (int i = 0; i < 20; ++i) {
         const BalanceAt at = balance_.at(x).value();
-        const Eigen::Map<const Eigen::MatrixXd> stiffness(at.stiffness.data(), n, n);
-        const Eigen::Map<const Eigen::VectorXd> imbalance(at.imbalance.data(), n);
+        const Eigen::Map<const Eigen::MatrixXd> stiffness(at.tangent_stiffness.data(), n, n);
+        const Eigen::Map<const Eigen::VectorXd> imbalance(at.residual.data(), n);
         const Eigen::VectorXd step = stiffness.partialPivLu().solve(imbalance);
         for (int j = 0; j < n; ++j) x[j] -= step[j];
         if (step.cwiseAbs().maxCoeff() < tolerance) break;
@@ -164,8 +164,8 @@ bool cold_start(const Balance& balance, NewtonSolver& newton, BranchPoint& x) {
     std::copy(at.begin(), at.end(), point.begin());
     const auto found = balance.at(point);
     if (!found) return false;
-    std::copy_n(found->imbalance.begin(), n, residual.begin());
-    std::copy_n(found->stiffness.begin(), n * n, jacobian.begin());
+    std::copy_n(found->residual.begin(), n, residual.begin());
+    std::copy_n(found->tangent_stiffness.begin(), n * n, jacobian.begin());
     return true;
   };
   return newton.solve(std::span<double>(x).first(n), system, 200);

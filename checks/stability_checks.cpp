@@ -15,14 +15,15 @@ double largest_kpa(const LoadedSegment& loaded, bool suction) {
   return (end < 0) == suction ? end : 0;
 }
 
-const LimitPoint* end_of_branch(const LoadedSegment& loaded, bool suction) {
-  for (const LimitPoint& point : loaded.response.limit_points) {
-    if (point.kind != LimitKind::bifurcation && (point.pressure_kpa < 0) == suction) return &point;
+const CriticalPoint* end_of_branch(const LoadedSegment& loaded, bool suction) {
+  for (const CriticalPoint& point : loaded.response.critical_points) {
+    if (point.kind != CriticalKind::bifurcation && (point.pressure_kpa < 0) == suction)
+      return &point;
   }
   return nullptr;
 }
 
-void add_end(const LoadedSegment& loaded, const LimitPoint& end, double asked_kpa,
+void add_end(const LoadedSegment& loaded, const CriticalPoint& end, double asked_kpa,
              CheckFindings& findings) {
   const double margin = end.pressure_kpa / asked_kpa;
   const bool within_load = std::abs(end.pressure_kpa) < std::abs(asked_kpa);
@@ -55,8 +56,8 @@ std::optional<double> first_unstable_kpa(const LoadedSegment& loaded, bool sucti
   for (const State* state : loaded.states()) {
     if (!state->stable) take(state->pressure_kpa);
   }
-  for (const LimitPoint& point : loaded.response.limit_points) {
-    if (point.kind != LimitKind::bifurcation) continue;
+  for (const CriticalPoint& point : loaded.response.critical_points) {
+    if (point.kind != CriticalKind::bifurcation) continue;
     const double asked = largest_kpa(loaded, suction);
     if (std::abs(point.pressure_kpa) < std::abs(asked)) take(point.pressure_kpa);
   }
@@ -111,7 +112,7 @@ void check_stability(const LoadedSegment& loaded, CheckFindings& findings) {
   for (const bool suction : {false, true}) {
     const double asked = largest_kpa(loaded, suction);
     if (asked == 0) continue;
-    const LimitPoint* end = end_of_branch(loaded, suction);
+    const CriticalPoint* end = end_of_branch(loaded, suction);
     if (end != nullptr) add_end(loaded, *end, asked, findings);
     if (end == nullptr && !has_state_at(loaded, asked)) {
       add_not_followed(loaded, asked, findings);

@@ -12,7 +12,7 @@
 #include "design/units.h"
 #include "model/effective_rods/rods_response.h"
 #include "model/equilibrium/branch.h"
-#include "model/equilibrium/turning_name.h"
+#include "model/equilibrium/branch_text.h"
 #include "model/section/section_energy.h"
 
 namespace latticast {
@@ -44,23 +44,24 @@ State state_at(const Balance& balance, const BranchPoint& x, const BalanceAt& at
   }
   const double bore = std::numbers::pi * section.inner_radius_mm * section.inner_radius_mm;
   const double unit = 1 + std::abs(pressure) * bore / balance.energy_unit();
-  for (const double imbalance : at.imbalance) {
-    state.residual = std::max(state.residual, std::abs(imbalance) / unit);
+  for (const double residual : at.residual) {
+    state.residual = std::max(state.residual, std::abs(residual) / unit);
   }
   return state;
 }
 
-std::string limit_name(const CriticalPoint& point, double pressure_kpa) {
+std::string limit_name(const CriticalState& point, double pressure_kpa) {
   const std::string at = " at " + pressure_text(pressure_kpa);
   const bool inflating = pressure_kpa > 0;
-  if (point.kind == LimitKind::bifurcation) {
+  if (point.kind == CriticalKind::bifurcation) {
     return "bifurcation" + at + ": states " + (inflating ? "above" : "below") +
            " it on this branch are unstable";
   }
-  if (point.kind == LimitKind::closure) return "the bore closes" + at + ": no open state below it";
+  if (point.kind == CriticalKind::closure)
+    return "the bore closes" + at + ": no open state below it";
   const std::string beyond =
       std::string(": no equilibrium ") + (inflating ? "above" : "below") + " it on this branch";
-  if (point.kind == LimitKind::asymptote) return "growth without end" + at + beyond;
+  if (point.kind == CriticalKind::asymptote) return "growth without end" + at + beyond;
   return std::string("limit point (") + (inflating ? "ballooning)" : "collapse)") + at + beyond;
 }
 
@@ -97,8 +98,8 @@ std::string reason_of_loss(const Balance& balance, const BranchState& here) {
   return "";
 }
 
-LimitPoint limit_point(const Balance& balance, const CriticalPoint& point, Held held) {
-  LimitPoint limit;
+CriticalPoint critical_point(const Balance& balance, const CriticalState& point, Held held) {
+  CriticalPoint limit;
   limit.kind = point.kind;
   limit.state = state_at(balance, point.x, point.balance, held);
   limit.state.error_estimate = point.pressure_error;
@@ -146,7 +147,7 @@ class Prediction {
       }
     }
     report_critical_points(response);
-    report_turning_points(response);
+    report_angle_extrema(response);
   }
 
  private:
@@ -176,22 +177,22 @@ class Prediction {
   }
 
   void report_critical_points(Response& response) const {
-    for (const CriticalPoint& point : branch_.critical_points()) {
-      response.limit_points.push_back(limit_point(branch_.balance(), point, held_));
-      append(response.message, response.limit_points.back().name);
+    for (const CriticalState& point : branch_.critical_points()) {
+      response.critical_points.push_back(critical_point(branch_.balance(), point, held_));
+      append(response.message, response.critical_points.back().name);
     }
   }
 
-  void report_turning_points(Response& response) const {
-    for (const TurningState& at : branch_.turning_points()) {
-      TurningPoint point;
-      point.quantity = at.of_bending ? TurningQuantity::bend : TurningQuantity::twist;
+  void report_angle_extrema(Response& response) const {
+    for (const ExtremumState& at : branch_.angle_extrema()) {
+      AngleExtremum point;
+      point.quantity = at.of_bending ? AngleKind::bend : AngleKind::twist;
       point.largest = at.largest;
       point.state = state_at(branch_.balance(), at.x, at.balance, held_);
       point.state.error_estimate = at.pressure_error;
       point.pressure_kpa = point.state.pressure_kpa;
-      point.name = turning_name(point, length_mm_);
-      response.turning_points.push_back(std::move(point));
+      point.name = extremum_text(point, length_mm_);
+      response.angle_extrema.push_back(std::move(point));
     }
   }
 

@@ -30,8 +30,8 @@ std::set<double> even_pressures(const std::vector<double>& asked) {
 // A branch turns back like a square root: even steps would cut its end off.
 std::set<double> toward_ends(const Response& response, const std::set<double>& pressures) {
   std::set<double> more;
-  for (const LimitPoint& limit : response.limit_points) {
-    if (limit.kind == LimitKind::bifurcation) continue;
+  for (const CriticalPoint& limit : response.critical_points) {
+    if (limit.kind == CriticalKind::bifurcation) continue;
     const auto next = pressures.lower_bound(limit.pressure_kpa);
     const bool above = limit.pressure_kpa > 0;
     if (next == pressures.begin() || next == pressures.end()) continue;

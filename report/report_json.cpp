@@ -189,15 +189,15 @@ Json band_json(const SegmentPrediction& prediction, const Segment& segment) {
           {"stiffest", edge(prediction.stiffest)}};
 }
 
-const char* name(LimitKind kind) {
+const char* name(CriticalKind kind) {
   switch (kind) {
-    case LimitKind::limit_point:
+    case CriticalKind::limit_point:
       return "limit-point";
-    case LimitKind::asymptote:
+    case CriticalKind::asymptote:
       return "asymptote";
-    case LimitKind::closure:
+    case CriticalKind::closure:
       return "closure";
-    case LimitKind::bifurcation:
+    case CriticalKind::bifurcation:
       return "bifurcation";
   }
   return "";
@@ -205,7 +205,7 @@ const char* name(LimitKind kind) {
 
 Json limits_json(const Response& response) {
   Json limits = Json::array();
-  for (const LimitPoint& limit : response.limit_points) {
+  for (const CriticalPoint& limit : response.critical_points) {
     limits.push_back(
         {{"kind", name(limit.kind)}, {"pressure_kPa", limit.pressure_kpa}, {"text", limit.name}});
   }
@@ -214,8 +214,8 @@ Json limits_json(const Response& response) {
 
 Json turning_json(const Response& response, const Segment& segment) {
   Json points = Json::array();
-  for (const TurningPoint& point : response.turning_points) {
-    const bool bends = point.quantity == TurningQuantity::bend;
+  for (const AngleExtremum& point : response.angle_extrema) {
+    const bool bends = point.quantity == AngleKind::bend;
     points.push_back(
         {{"quantity", bends ? "bend" : "twist"},
          {"pressure_kPa", point.pressure_kpa},
@@ -239,7 +239,7 @@ double stable_until(const ResponseCurve& curve, double sign) {
       until = state.pressure_kpa;
     }
   }
-  for (const LimitPoint& limit : curve.prediction.response.limit_points) {
+  for (const CriticalPoint& limit : curve.prediction.response.critical_points) {
     if (sign * limit.pressure_kpa > 0 && sign * limit.pressure_kpa < sign * until) {
       until = limit.pressure_kpa;
     }

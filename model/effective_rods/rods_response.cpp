@@ -7,7 +7,7 @@
 #include <string>
 
 #include "design/units.h"
-#include "model/equilibrium/turning_name.h"
+#include "model/equilibrium/branch_text.h"
 
 namespace latticast {
 namespace {
@@ -46,8 +46,8 @@ State state_of(const Rods& rods, const RodsState& found, double pressure_kpa) {
 }
 
 /// The pressure between two, d|kappa|/dP having opposite signs there, where it is zero.
-TurningPoint turning_point_between(const Rods& rods, double length_mm, double low_kpa,
-                                   double high_kpa, const RodsState& at_low) {
+AngleExtremum extremum_between(const Rods& rods, double length_mm, double low_kpa, double high_kpa,
+                               const RodsState& at_low) {
   const double sign = at_low.bend_rad_per_mm_per_mpa > 0 ? 1 : -1;
   RodsState middle = at_low;
   double pressure = low_kpa;
@@ -56,11 +56,11 @@ TurningPoint turning_point_between(const Rods& rods, double length_mm, double lo
     middle = *at_pressure(rods, pressure, {});
     (middle.bend_rad_per_mm_per_mpa * sign > 0 ? low_kpa : high_kpa) = pressure;
   }
-  TurningPoint point;
+  AngleExtremum point;
   point.largest = at_low.bend_rad_per_mm_per_mpa * at_low.bend_rad_per_mm * low_kpa > 0;
   point.pressure_kpa = pressure;
   point.state = state_of(rods, middle, pressure);
-  point.name = turning_name(point, length_mm);
+  point.name = extremum_text(point, length_mm);
   return point;
 }
 
@@ -70,7 +70,7 @@ void find_turning_points(const Rods& rods, double length_mm, double end_kpa, Res
     const auto here = at_pressure(rods, end_kpa * i / scan_steps, {});
     if (!here) return;
     if (before && before->bend_rad_per_mm_per_mpa * here->bend_rad_per_mm_per_mpa < 0) {
-      response.turning_points.push_back(turning_point_between(
+      response.angle_extrema.push_back(extremum_between(
           rods, length_mm, end_kpa * (i - 1) / scan_steps, end_kpa * i / scan_steps, *before));
     }
     before = here;

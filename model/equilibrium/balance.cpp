@@ -52,7 +52,7 @@ void Balance::sort_coordinates(Held held, bool all_unknowns) {
   for (const int i : order) {
     if (solved[i]) active_.push_back(i);
     if (solved[i] && !fixed[i]) free_.push_back(i);
-    if (!solved[i] && !fixed[i]) left_out_.push_back(i);
+    if (!solved[i] && !fixed[i]) suppressed_.push_back(i);
   }
 }
 
@@ -77,8 +77,8 @@ Balance::Balance(const Section& section, Held held, const SolverOptions& options
 
   const int n = free_count();
   BalanceAt rest = *at(BranchPoint{});
-  const std::span<double> speed = std::span(rest.push).first(n);
-  solve_in_place(std::span(rest.stiffness).first(n * n), speed);
+  const std::span<double> speed = std::span(rest.load_vector).first(n);
+  solve_in_place(std::span(rest.tangent_stiffness).first(n * n), speed);
   pressure_mpa_ = 1 / norm(speed);
 }
 
@@ -108,8 +108,8 @@ bool Balance::refine(std::span<const double> x) {
   double in_radius = 1;
   double around = 1;
   if (now && radial && angular) {
-    in_radius = largest_difference(now->imbalance, radial->imbalance);
-    around = largest_difference(now->imbalance, angular->imbalance);
+    in_radius = largest_difference(now->residual, radial->residual);
+    around = largest_difference(now->residual, angular->residual);
   }
   // Work goes with the product of both counts: what contributes little stays as it is.
   const bool refine_radius = in_radius >= 0.1 * around;
@@ -136,15 +136,15 @@ void Balance::set_points(int liner, int lattice, int around) {
   around_ = around;
   quadrature_ = quadrature(liner, lattice, around);
   finer_ = quadrature(more_points(liner), more_points(lattice), more_points(around));
-  for_left_out_ = quadrature_;
+  for_suppressed_ = quadrature_;
   if (section_.bending_axes > 0) return;
   // Around a straight section second derivatives go with cos^2, whose mean one direction at 45
   // degrees already has; two lesser ones keep directions apart where they differ.
   if (section_.isotropic) {
-    for_left_out_.around = {{std::sqrt(0.5), std::sqrt(0.5), 1}};
-    for_left_out_.average_strands = true;
+    for_suppressed_.around = {{std::sqrt(0.5), std::sqrt(0.5), 1}};
+    for_suppressed_.average_strands = true;
   } else {
-    for_left_out_.around = half_turn(2);
+    for_suppressed_.around = half_turn(2);
   }
 }
 
@@ -170,15 +170,15 @@ std::optional<BalanceAt> Balance::evaluate(std::span<const double> x,
   for (std::size_t column = 0; column < n; ++column) {
     const int j = free_[column];
     const double scale_j = scale_[j] / energy_;
-    result.imbalance[column] = result.reaction[j] * scale_j;
-    result.push[column] = cavity.gradient[j] * scale_j * pressure_mpa_;
+    result.residual[column] = result.reaction[j] * scale_j;
+    result.load_vector[column] = cavity.gradient[j] * scale_j * pressure_mpa_;
     for (std::size_t row = 0; row < n; ++row) {
       const int i = free_[row];
       const double scale = scale_[i] * scale_j;
       const double cavity_second = cavity.second(i, j);
-      result.stiffness[column * n + row] =
+      result.tangent_stiffness[column * n + row] =
           (stored->second(i, j) - pressure * cavity_second) * scale;
-      result.push_slope[column * n + row] = cavity_second * scale * pressure_mpa_;
+      result.load_stiffness[column * n + row] = cavity_second * scale * pressure_mpa_;
     }
   }
   return result;
@@ -188,7 +188,7 @@ BalanceAt::Vector Balance::doubt(std::span<const double> x, const BalanceAt& at)
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   const std::size_t n = free_.size();
   double load = 0;
-  for (std::size_t i = 0; i < n; ++i) load = std::max(load, std::abs(at.push[i] * x[n]));
+  for (std::size_t i = 0; i < n; ++i) load = std::max(load, std::abs(at.load_vector[i] * x[n]));
   const std::array<double, coordinate_count> law = law_error(section_, quadrature_, deformation(x));
   BalanceAt::Vector doubt{};
   for (std::size_t i = 0; i < n; ++i) {
@@ -197,15 +197,15 @@ BalanceAt::Vector Balance::doubt(std::span<const double> x, const BalanceAt& at)
   return doubt;
 }
 
-LeftOut Balance::left_out(std::span<const double> x) const {
-  LeftOut result;
-  if (left_out_.empty()) return result;
-  std::vector<int> asked = left_out_;
+SuppressedModes Balance::suppressed_modes(std::span<const double> x) const {
+  SuppressedModes result;
+  if (suppressed_.empty()) return result;
+  std::vector<int> asked = suppressed_;
   // One direction stands for both where they are alike.
   const bool alike =
       section_.isotropic && section_.bending_axes == 0 && asked.back() == coordinate::bend_2;
   if (alike) asked.pop_back();
-  const auto stored = stored_energy(section_, for_left_out_, deformation(x), asked);
+  const auto stored = stored_energy(section_, for_suppressed_, deformation(x), asked);
   if (!stored) return result;
   const std::size_t n = asked.size();
   BalanceAt::Matrix stiffness{};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The balance of forces of one section, in scaled form, for whoever solves it (MODEL.md section 1).
+// Equilibrium equations of one section in scaled form: residual, tangent stiffness, load vector
+// (docs/model.md#how-it-is-solved-and-how-good-a-state-is).
 #pragma once
 
 #include <array>
@@ -16,19 +17,20 @@ namespace latticast {
 /// pressure; entries past n + 1 are unused.
 using BranchPoint = std::array<double, coordinate_count + 1>;
 
-/// The balance at one point; n free coordinates, n x n matrices column after column.
+/// Residual, loads and their derivatives at one point; n free coordinates, n x n matrices column
+/// after column.
 struct BalanceAt {
   using Vector = std::array<double, coordinate_count>;
   using Matrix = std::array<double, std::size_t{coordinate_count} * coordinate_count>;
-  Vector imbalance{};   ///< scaled dPi/dq over the free coordinates; 0 in equilibrium
-  Matrix stiffness{};   ///< scaled d2Pi/dq2
-  Vector push{};        ///< scaled dV/dq: what one unit of pressure adds
-  Matrix push_slope{};  ///< its derivative
-  Vector reaction{};    ///< dPi/dq of all coordinates: N, N mm, N/mm, N mm, N mm
+  Vector residual{};           ///< scaled dPi/dq over the free coordinates; 0 in equilibrium
+  Matrix tangent_stiffness{};  ///< scaled d2Pi/dq2
+  Vector load_vector{};        ///< scaled dV/dq: the load of one unit of pressure
+  Matrix load_stiffness{};     ///< its derivative
+  Vector reaction{};           ///< dPi/dq of all coordinates: N, N mm, N/mm, N mm, N mm
 };
 
-/// Smallest eigenvalues of what symmetry leaves out, see Balance::left_out.
-struct LeftOut {
+/// Eigenvalues of the coordinates that symmetry keeps at zero, see Balance::suppressed_modes.
+struct SuppressedModes {
   std::array<double, coordinate_count> eigenvalues{};  ///< of the scaled stiffness
   int count = 0;
 };
@@ -51,15 +53,15 @@ class Balance {
   /// The same under the finer quadrature that errors are measured with.
   std::optional<BalanceAt> finer_at(std::span<const double> x) const;
 
-  /// How far the imbalance may be off for other reasons than its quadrature: interpolated horseshoe
-  /// laws, and rounding of forces as large as the pressure's. Scaled as the imbalance is.
+  /// How far the residual may be off for other reasons than its quadrature: interpolated horseshoe
+  /// laws, and rounding of forces as large as the pressure's. Scaled as the residual is.
   BalanceAt::Vector doubt(std::span<const double> x, const BalanceAt& at) const;
 
   /// Stiffness against the free coordinates that symmetry keeps at zero: buckling in twist and
   /// sideways. Precondition: `at(x)` is not empty.
-  LeftOut left_out(std::span<const double> x) const;
+  SuppressedModes suppressed_modes(std::span<const double> x) const;
 
-  /// Takes more quadrature points, in R or around the tube or both, wherever the imbalance at `x`
+  /// Takes more quadrature points, in R or around the tube or both, wherever the residual at `x`
   /// is not yet good, and panels toward a bore that is nearly closed; false when there are as many
   /// as there may be.
   bool refine(std::span<const double> x);
@@ -82,9 +84,9 @@ class Balance {
   void sort_coordinates(Held held, bool all_unknowns);
 
   Section section_;
-  std::vector<int> active_;    // coordinates with a derivative: free ones, and held ones that react
-  std::vector<int> free_;      // solved for
-  std::vector<int> left_out_;  // free, but zero by symmetry
+  std::vector<int> active_;  // coordinates with a derivative: free ones, and held ones that react
+  std::vector<int> free_;    // solved for
+  std::vector<int> suppressed_;  // free, but zero by symmetry
   std::array<double, coordinate_count> scale_{};
   double energy_ = 1;
   double pressure_mpa_ = 1;
@@ -95,7 +97,7 @@ class Balance {
   int panels_ = 1;  // toward the bore
   Quadrature quadrature_;
   Quadrature finer_;
-  Quadrature for_left_out_;
+  Quadrature for_suppressed_;
 };
 
 }  // namespace latticast

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "model/equilibrium/turning_point.h"
+#include "model/equilibrium/angle_extremum.h"
 #include "model/numerics/small_matrix.h"
 #include "model/section/section_energy.h"
 
@@ -17,17 +17,18 @@ using BorderedMatrix = std::array<double, (coordinate_count + 1) * (coordinate_c
 static_assert(coordinate_count + 1 <= largest_matrix);
 
 constexpr int most_iterations = 12;
-constexpr double first_reach = 0.3;
-constexpr double smallest_reach = 1e-10;
+constexpr double first_step = 0.3;
+constexpr double smallest_step = 1e-10;
 constexpr double path_accuracy = 1e-7;
 constexpr double endless_growth = 1e3;          // of a scaled coordinate, whose order is 1
 constexpr double near_its_bound = 0.01;         // of an asymptote's pressure, what may be left
 constexpr double bifurcation_accuracy = 1e-12;  // of its pressure, relative
-constexpr double turning_goal = 1e-9;           // of the state where an angle turns back
+constexpr double extremum_goal = 1e-9;          // of the state at an angle extremum
 constexpr double closed_bore = -0.999;          // a/R_i - 1, always the last free coordinate
-constexpr double wanted_turning = 0.08;    // correction against step that a step is chosen for ...
-constexpr double greatest_turning = 0.15;  // ... and beyond which it does not count
-constexpr double least_alignment = 0.95;   // cosine between successive tangents
+constexpr double wanted_contraction =
+    0.08;  // correction against step that a step is chosen for ...
+constexpr double greatest_contraction = 0.15;  // ... and beyond which it does not count
+constexpr double least_alignment = 0.95;       // cosine between successive tangents
 constexpr double law_end = 1e-6;  // room in a horseshoe's law, relative, that counts as none
 constexpr int limit_checks = 8;   // parts of the way to a limit point
 
@@ -51,19 +52,19 @@ BranchPoint between(const BranchPoint& a, const BranchPoint& b, double fraction)
 
 /// Of the symmetric n x n stiffness, rising.
 BalanceAt::Vector stiffness_eigenvalues(const BalanceAt& balance, int n) {
-  BalanceAt::Matrix stiffness = balance.stiffness;
+  BalanceAt::Matrix stiffness = balance.tangent_stiffness;
   BalanceAt::Vector values{};
   symmetric_eigenvalues(std::span(stiffness).first(n * n), std::span(values).first(n));
   return values;
 }
 
-/// Derivatives of the imbalance by coordinates and pressure, closed by a plane's normal: regular
+/// Derivatives of the residual by coordinates and pressure, closed by a plane's normal: regular
 /// also where the stiffness alone is singular.
 void fill_bordered(std::span<double> matrix, const BalanceAt& balance, const BranchPoint& normal,
                    int n) {
   for (int j = 0; j < n; ++j) {
-    std::copy_n(&balance.stiffness[j * n], n, &matrix[j * (n + 1)]);
-    matrix[n * (n + 1) + j] = -balance.push[j];
+    std::copy_n(&balance.tangent_stiffness[j * n], n, &matrix[j * (n + 1)]);
+    matrix[n * (n + 1) + j] = -balance.load_vector[j];
   }
   for (int j = 0; j <= n; ++j) matrix[j * (n + 1) + n] = normal[j];
 }
@@ -76,7 +77,7 @@ void solve_bordered(const BalanceAt& balance, const BranchPoint& normal, BranchP
   solve_in_place(std::span(matrix).first((n + 1) * (n + 1)), std::span(right).first(n + 1));
 }
 
-/// The direction in which imbalance stays zero, on the side of `guide`.
+/// The direction in which the residual stays zero, on the side of `guide`.
 BranchPoint tangent_at(const BalanceAt& balance, const BranchPoint& guide, int n) {
   BranchPoint tangent{};
   tangent[n] = 1;
@@ -116,9 +117,9 @@ void Branch::restart() {
   here_.balance = *balance_.at(here_.x);
   examine_stability(here_);
   here_.tangent = tangent_at(here_.balance, pressure_axis(), n_);
-  reach_ = first_reach;
+  step_length_ = first_step;
   critical_points_.clear();
-  turning_points_.clear();
+  angle_extrema_.clear();
 }
 
 void Branch::examine_stability(BranchState& state) const {
@@ -132,9 +133,9 @@ void Branch::examine_stability(BranchState& state) const {
     if (values[i] < 0) ++state.negative_eigenvalues;
   }
   state.nearest_solved_eigenvalue = state.nearest_eigenvalue;
-  const LeftOut left_out = balance_.left_out(state.x);
-  for (int i = 0; i < left_out.count; ++i) {
-    const double value = left_out.eigenvalues[i];
+  const SuppressedModes suppressed = balance_.suppressed_modes(state.x);
+  for (int i = 0; i < suppressed.count; ++i) {
+    const double value = suppressed.eigenvalues[i];
     state.smallest_eigenvalue = std::min(state.smallest_eigenvalue, value);
     if (std::abs(value) < std::abs(state.nearest_eigenvalue)) state.nearest_eigenvalue = value;
     if (value < 0) ++state.negative_eigenvalues;
@@ -167,7 +168,7 @@ std::optional<BranchState> Branch::corrected(const BranchPoint& start, const Bra
     if (!at) return false;
     state.balance = *at;
     fill_bordered(jacobian, *at, normal, n_);
-    std::copy_n(at->imbalance.begin(), n_, residual.begin());
+    std::copy_n(at->residual.begin(), n_, residual.begin());
     residual[n_] = 0;
     for (int i = 0; i <= n_; ++i) residual[n_] += normal[i] * (x[i] - start[i]);
     return true;
@@ -186,11 +187,12 @@ Branch::Step Branch::try_step(const BranchPoint& start, const BranchPoint& norma
   const auto state = corrected(start, normal);
   if (!state) return {};
   // In coordinates alone: a pressure far beyond the liner's strength would hide their changes.
-  const double turning = movement(state->x, start) / std::max(movement(state->x, here_.x), 1e-6);
-  const bool accepted = turning <= greatest_turning &&
+  const double contraction =
+      movement(state->x, start) / std::max(movement(state->x, here_.x), 1e-6);
+  const bool accepted = contraction <= greatest_contraction &&
                         dot(state->tangent, here_.tangent) >= least_alignment &&
                         !may_turn_between(here_, *state, n_);
-  return {*state, turning, accepted};
+  return {*state, contraction, accepted};
 }
 
 Reached Branch::advance_to(double pressure_mpa) {
@@ -208,23 +210,23 @@ Reached Branch::advance_to(double pressure_mpa) {
     // does.
     const bool final = reached != Reached::lost || at_law_end() || has_grown_away();
     if (final || !refine_here()) return reached;
-    reach_ = first_reach;
+    step_length_ = first_step;
   }
 }
 
 Reached Branch::follow_to(double target, double sign) {
   const auto beyond_target = [&](double pressure) { return (pressure - target) * sign > 0; };
-  for (int count = 0; count < options_.most_steps && reach_ > smallest_reach; ++count) {
+  for (int count = 0; count < options_.most_steps && step_length_ > smallest_step; ++count) {
     if (at_law_end()) return Reached::lost;
-    reach_ = within_laws(reach_);
+    step_length_ = within_laws(step_length_);
     const double to_target = (target - here_.x[n_]) / here_.tangent[n_];
-    const bool landing = to_target <= reach_;
-    const double length = landing ? to_target : reach_;
+    const bool landing = to_target <= step_length_;
+    const double length = landing ? to_target : step_length_;
     const Step step = landing ? try_step(at_pressure(target, ahead(length)), pressure_axis())
                               : try_step(ahead(length), here_.tangent);
-    const double change = wanted_turning / std::max(step.turning, 1e-3);
+    const double change = wanted_contraction / std::max(step.contraction, 1e-3);
     if (!step.accepted || (!landing && beyond_target(step.state.x[n_]))) {
-      reach_ = length * std::clamp(change, 0.1, 0.5);
+      step_length_ = length * std::clamp(change, 0.1, 0.5);
       continue;
     }
     if (step.state.tangent[n_] * sign <= 0) {
@@ -233,21 +235,21 @@ Reached Branch::follow_to(double target, double sign) {
       const auto limit = limit_point_before(step.state);
       if (limit && !beyond_target(limit->x[n_])) return end_at(*limit);
       if (limit && land_before(*limit, target)) return finish_landing();
-      reach_ = 0.5 * length;
+      step_length_ = 0.5 * length;
       continue;
     }
     // A crossing that cannot be pinned down between here and there is a step to another branch.
     if (step.state.negative_eigenvalues != here_.negative_eigenvalues &&
         !note_bifurcation_before(step.state)) {
-      reach_ = 0.5 * length;
+      step_length_ = 0.5 * length;
       continue;
     }
     if (step.state.x[n_ - 1] < closed_bore) return note_closure(step.state);
-    note_turning_points_before(step.state);
+    note_angle_extrema_before(step.state);
     here_ = step.state;
     if (at_law_end()) return Reached::lost;
     const double next = length * std::clamp(change, 0.5, 4.0);
-    reach_ = std::min(landing ? std::max(reach_, next) : next, longest_step());
+    step_length_ = std::min(landing ? std::max(step_length_, next) : next, longest_step());
     if (landing) return finish_landing();
     // The path must be the section's own, not a coarse quadrature's.
     refine_to(path_accuracy);
@@ -256,7 +258,7 @@ Reached Branch::follow_to(double target, double sign) {
   return Reached::lost;
 }
 
-Reached Branch::end_at(const CriticalPoint& end) {
+Reached Branch::end_at(const CriticalState& end) {
   critical_points_.push_back(end);
   return Reached::end;
 }
@@ -269,8 +271,8 @@ BranchPoint Branch::at_pressure(double pressure, BranchPoint x) const {
 /// Whether the branch is known to end before `target`.
 bool Branch::at_end(double target, double sign) const {
   if (critical_points_.empty()) return false;
-  const CriticalPoint& last = critical_points_.back();
-  return last.kind != LimitKind::bifurcation && (last.x[n_] - target) * sign <= 0;
+  const CriticalState& last = critical_points_.back();
+  return last.kind != CriticalKind::bifurcation && (last.x[n_] - target) * sign <= 0;
 }
 
 /// Whether a horseshoe or the liner's rubber is where its law ends. A Gent rubber comes ever closer
@@ -310,25 +312,25 @@ bool Branch::has_grown_away() const {
 
 /// Where the pressure still rises noticeably, it has no bound that could be named.
 Reached Branch::end_of_growth() {
-  const CriticalPoint asymptote = asymptote_here();
+  const CriticalState asymptote = asymptote_here();
   return asymptote.pressure_error < near_its_bound ? end_at(asymptote) : Reached::lost;
 }
 
 /// A soft tube can widen without end while the pressure tends to a bound (a neo-Hookean tube of
 /// held length does); there is no limit point to find then.
-CriticalPoint Branch::asymptote_here() const {
+CriticalState Branch::asymptote_here() const {
   const double left = std::abs(here_.tangent[n_]) * largest_growth();
-  return {LimitKind::asymptote, here_.x, here_.balance, left / std::abs(here_.x[n_])};
+  return {CriticalKind::asymptote, here_.x, here_.balance, left / std::abs(here_.x[n_])};
 }
 
 /// Moves here to a pressure short of a known limit point. Near it the state goes with the square
 /// root of the pressure that is left, which predicts far better than the tangent.
-bool Branch::land_before(const CriticalPoint& limit, double target) {
+bool Branch::land_before(const CriticalState& limit, double target) {
   const double left = (limit.x[n_] - target) / (limit.x[n_] - here_.x[n_]);
   const BranchPoint start = at_pressure(target, between(limit.x, here_.x, std::sqrt(left)));
   const auto state = corrected(start, pressure_axis());
   if (!state || state->negative_eigenvalues != here_.negative_eigenvalues ||
-      movement(state->x, start) > greatest_turning * movement(state->x, here_.x)) {
+      movement(state->x, start) > greatest_contraction * movement(state->x, here_.x)) {
     return false;
   }
   here_ = *state;
@@ -337,7 +339,7 @@ bool Branch::land_before(const CriticalPoint& limit, double target) {
 
 /// The limit point between here and an equilibrium past it. The eigenvalue is nearly linear in arc
 /// length there, which gives the guess.
-std::optional<CriticalPoint> Branch::limit_point_before(const BranchState& beyond) {
+std::optional<CriticalState> Branch::limit_point_before(const BranchState& beyond) {
   if (!limit_newton_) limit_newton_.emplace(limit_point_unknowns(balance_));
   const double before = std::abs(here_.nearest_solved_eigenvalue);
   const double fraction = before / (before + std::abs(beyond.nearest_solved_eigenvalue));
@@ -369,7 +371,7 @@ bool Branch::is_connected(const BranchPoint& limit) {
     const BranchPoint start = between(here_.x, limit, static_cast<double>(i) / limit_checks);
     const auto state = corrected(start, chord);
     if (!state || state->negative_eigenvalues != here_.negative_eigenvalues ||
-        distance(state->x, start) > greatest_turning * length ||
+        distance(state->x, start) > greatest_contraction * length ||
         std::abs(state->x[n_]) > std::abs(limit[n_])) {
       return false;
     }
@@ -379,7 +381,7 @@ bool Branch::is_connected(const BranchPoint& limit) {
 
 /// The pressure at which an eigenvalue changes sign without the branch turning back, by the secant
 /// method kept inside its bracket (Illinois).
-std::optional<CriticalPoint> Branch::bifurcation_before(const BranchState& beyond) {
+std::optional<CriticalState> Branch::bifurcation_before(const BranchState& beyond) {
   BranchPoint low = here_.x;
   BranchPoint high = beyond.x;
   double at_low = std::abs(here_.nearest_eigenvalue);
@@ -389,12 +391,13 @@ std::optional<CriticalPoint> Branch::bifurcation_before(const BranchState& beyon
   for (int i = 0; i < 60; ++i) {
     const BranchPoint start = between(low, high, at_low / (at_low - at_high));
     const auto middle = corrected(start, pressure_axis());
-    if (!middle || distance(middle->x, start) > greatest_turning * distance(here_.x, beyond.x)) {
+    if (!middle ||
+        distance(middle->x, start) > greatest_contraction * distance(here_.x, beyond.x)) {
       return std::nullopt;
     }
     const double error = std::abs(middle->nearest_eigenvalue / (slope * middle->x[n_]));
     if (error < bifurcation_accuracy) {
-      return CriticalPoint{LimitKind::bifurcation, middle->x, middle->balance, error};
+      return CriticalState{CriticalKind::bifurcation, middle->x, middle->balance, error};
     }
     const bool before = middle->negative_eigenvalues == here_.negative_eigenvalues;
     (before ? low : high) = middle->x;
@@ -406,22 +409,22 @@ std::optional<CriticalPoint> Branch::bifurcation_before(const BranchState& beyon
   return std::nullopt;
 }
 
-/// A path good to `path_accuracy` is not enough here: the quadrature is refined until the turning
-/// points are.
-void Branch::note_turning_points_before(const BranchState& beyond) {
+/// A path good to `path_accuracy` is not enough here: the quadrature is refined until the extrema
+/// are good.
+void Branch::note_angle_extrema_before(const BranchState& beyond) {
   const auto equilibrium = [&](const BranchPoint& start) {
     return corrected(start, pressure_axis());
   };
   while (true) {
-    std::vector<TurningState> found = turning_points_between(balance_, here_, beyond, equilibrium);
+    std::vector<ExtremumState> found = angle_extrema_between(balance_, here_, beyond, equilibrium);
     double worst = 0;
-    for (TurningState& turning : found) {
-      const double error = error_at(turning.x, turning.balance);
-      turning.pressure_error = std::max(turning.pressure_error, error);
+    for (ExtremumState& extremum : found) {
+      const double error = error_at(extremum.x, extremum.balance);
+      extremum.pressure_error = std::max(extremum.pressure_error, error);
       worst = std::max(worst, error);
     }
-    if (worst > turning_goal && balance_.refine(beyond.x)) continue;
-    turning_points_.insert(turning_points_.end(), found.begin(), found.end());
+    if (worst > extremum_goal && balance_.refine(beyond.x)) continue;
+    angle_extrema_.insert(angle_extrema_.end(), found.begin(), found.end());
     return;
   }
 }
@@ -440,11 +443,11 @@ Reached Branch::note_closure(const BranchState& beyond) {
     const auto finer = balance_.finer_at(closed->x);
     if (!finer) return Reached::lost;
     BranchPoint error{};
-    std::copy_n(finer->imbalance.begin(), n_, error.begin());
+    std::copy_n(finer->residual.begin(), n_, error.begin());
     solve_bordered(closed->balance, normal, error, n_);
     const double relative = std::abs(error[n_] / closed->x[n_]);
     if (relative <= options_.error_goal || !balance_.refine(closed->x)) {
-      return end_at({LimitKind::closure, closed->x, closed->balance, relative});
+      return end_at({CriticalKind::closure, closed->x, closed->balance, relative});
     }
     start = closed->x;
   }
@@ -464,14 +467,14 @@ bool Branch::refine_here() {
   return refined.has_value();
 }
 
-/// Largest error of a scaled coordinate: twice the finer quadrature's imbalance, since that one is
+/// Largest error of a scaled coordinate: twice the finer quadrature's residual, since that one is
 /// not exact either, and what else is in doubt, mapped by H^-1; and the rounding of the coordinate
 /// itself.
 double Branch::error_at(const BranchPoint& x, const BalanceAt& balance) const {
   const auto finer = balance_.finer_at(x);
   if (!finer) return std::numeric_limits<double>::infinity();
   const BalanceAt::Vector doubt = balance_.doubt(x, balance);
-  BalanceAt::Matrix stiffness = balance.stiffness;
+  BalanceAt::Matrix stiffness = balance.tangent_stiffness;
   BalanceAt::Matrix inverse;
   invert(std::span(stiffness).first(n_ * n_), std::span(inverse).first(n_ * n_));
   double error = 0;
@@ -479,7 +482,7 @@ double Branch::error_at(const BranchPoint& x, const BalanceAt& balance) const {
     double moved = 0;
     double doubted = 0;
     for (int j = 0; j < n_; ++j) {
-      moved += inverse[j * n_ + i] * finer->imbalance[j];
+      moved += inverse[j * n_ + i] * finer->residual[j];
       doubted += std::abs(inverse[j * n_ + i]) * doubt[j];
     }
     error = std::max(error, 2 * std::abs(moved) + doubted);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Follows one branch of equilibria from the rest state, with pressure as the parameter.
+// Branch of equilibria under rising or falling pressure, by pseudo-arclength continuation
+// ([Keller 1977]) from the rest state.
 #pragma once
 
 #include <optional>
@@ -25,7 +26,7 @@ struct BranchState {
 
 enum class Reached { target, end, lost };
 
-/// Pseudo-arclength continuation (H. B. Keller, 1977): predict along the tangent, correct by
+/// Pseudo-arclength continuation, [Keller 1977]: predict along the tangent, correct by
 /// Newton's method square to it, land on a requested pressure by correcting at that pressure. A
 /// step counts only if the correction is small against it, the tangent turns little, and the
 /// pressure does not seem to turn back and forth in between; otherwise it is shortened.
@@ -45,10 +46,10 @@ class Branch {
   const Balance& balance() const { return balance_; }
 
   /// Critical points met since restart(), in that order; all but a bifurcation end the branch.
-  const std::vector<CriticalPoint>& critical_points() const { return critical_points_; }
+  const std::vector<CriticalState>& critical_points() const { return critical_points_; }
 
-  /// Turning points of bending and twist met since restart(), in that order.
-  const std::vector<TurningState>& turning_points() const { return turning_points_; }
+  /// Extrema of bending and twist met since restart(), in that order.
+  const std::vector<ExtremumState>& angle_extrema() const { return angle_extrema_; }
 
   /// Newton iterations since construction.
   int iterations() const { return iterations_; }
@@ -56,7 +57,7 @@ class Branch {
  private:
   struct Step {
     BranchState state;
-    double turning = 0;  // correction against step
+    double contraction = 0;  // of the Newton correction against the step
     bool accepted = false;
   };
 
@@ -71,17 +72,17 @@ class Branch {
   bool at_law_end() const;
   double within_laws(double length) const;
   bool is_connected(const BranchPoint& limit);
-  Reached end_at(const CriticalPoint& end);
+  Reached end_at(const CriticalState& end);
   double largest_growth() const;
   double longest_step() const;
   bool has_grown_away() const;
   Reached end_of_growth();
-  CriticalPoint asymptote_here() const;
-  bool land_before(const CriticalPoint& limit, double target);
-  std::optional<CriticalPoint> limit_point_before(const BranchState& beyond);
-  std::optional<CriticalPoint> bifurcation_before(const BranchState& beyond);
+  CriticalState asymptote_here() const;
+  bool land_before(const CriticalState& limit, double target);
+  std::optional<CriticalState> limit_point_before(const BranchState& beyond);
+  std::optional<CriticalState> bifurcation_before(const BranchState& beyond);
   bool note_bifurcation_before(const BranchState& beyond);
-  void note_turning_points_before(const BranchState& beyond);
+  void note_angle_extrema_before(const BranchState& beyond);
   void examine_stability(BranchState& state) const;
   Reached note_closure(const BranchState& beyond);
   bool refine_here();
@@ -95,9 +96,9 @@ class Branch {
   NewtonSolver newton_;
   std::optional<NewtonSolver> limit_newton_;  // made when first needed
   BranchState here_;
-  double reach_ = 0;  // arc length that the next step may try
-  std::vector<CriticalPoint> critical_points_;
-  std::vector<TurningState> turning_points_;
+  double step_length_ = 0;  // arc length that the next step may try
+  std::vector<CriticalState> critical_points_;
+  std::vector<ExtremumState> angle_extrema_;
   int iterations_ = 0;
 };
 

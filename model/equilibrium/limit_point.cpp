@@ -15,7 +15,7 @@ constexpr double difference_step = 1e-5;
 
 /// Eigenvector of the eigenvalue nearest to zero.
 BalanceAt::Vector nearly_free_direction(const BalanceAt& balance, int n) {
-  BalanceAt::Matrix stiffness = balance.stiffness;
+  BalanceAt::Matrix stiffness = balance.tangent_stiffness;
   BalanceAt::Vector values{};
   BalanceAt::Matrix vectors{};
   symmetric_eigenvectors(std::span(stiffness).first(n * n), std::span(values).first(n),
@@ -47,7 +47,7 @@ std::optional<BalanceAt::Matrix> stiffness_slope(const Balance& balance, std::sp
   if (!after || !before) return std::nullopt;
   BalanceAt::Matrix slope{};
   for (int i = 0; i < n * n; ++i) {
-    slope[i] = (after->stiffness[i] - before->stiffness[i]) / (2 * difference_step);
+    slope[i] = (after->tangent_stiffness[i] - before->tangent_stiffness[i]) / (2 * difference_step);
   }
   return slope;
 }
@@ -68,16 +68,16 @@ bool extended_system(const Balance& balance, std::span<const double> y, std::spa
   std::fill(jacobian.begin(), jacobian.end(), 0.0);
   residual[2 * n] = -0.5;
   for (int j = 0; j < n; ++j) {
-    residual[j] = at->imbalance[j];
+    residual[j] = at->residual[j];
     residual[2 * n] += 0.5 * v[j] * v[j];
-    entry(j, n) = -at->push[j];
+    entry(j, n) = -at->load_vector[j];
     entry(2 * n, n + 1 + j) = v[j];
     for (int i = 0; i < n; ++i) {
-      const double stiffness = at->stiffness[j * n + i];
+      const double stiffness = at->tangent_stiffness[j * n + i];
       residual[n + i] += stiffness * v[j];
       entry(i, j) = stiffness;
       entry(n + i, j) = (*slope)[j * n + i];
-      entry(n + i, n) -= at->push_slope[j * n + i] * v[j];
+      entry(n + i, n) -= at->load_stiffness[j * n + i] * v[j];
       entry(n + i, n + 1 + j) = stiffness;
     }
   }
@@ -86,7 +86,7 @@ bool extended_system(const Balance& balance, std::span<const double> y, std::spa
 
 }  // namespace
 
-std::optional<CriticalPoint> locate_limit_point(const Balance& balance, NewtonSolver& newton,
+std::optional<CriticalState> locate_limit_point(const Balance& balance, NewtonSolver& newton,
                                                 const BranchPoint& guess) {
   const int n = balance.free_count();
   const auto near = balance.at(guess);
@@ -101,21 +101,21 @@ std::optional<CriticalPoint> locate_limit_point(const Balance& balance, NewtonSo
   };
   if (!newton.solve(y, system, most_iterations)) return std::nullopt;
 
-  CriticalPoint found;
+  CriticalState found;
   std::copy_n(y.begin(), n + 1, found.x.begin());
   const auto at = balance.at(found.x);
   const auto finer = balance.finer_at(found.x);
   if (!at || !finer) return std::nullopt;
   found.balance = *at;
   found.iterations = newton.iterations();
-  // Along v the balance does not react, so an imbalance in that direction is made good by pressure.
-  double imbalance = 0;
-  double push = 0;
+  // Along v the stiffness is zero, so a residual in that direction is made good by pressure.
+  double residual = 0;
+  double load = 0;
   for (int i = 0; i < n; ++i) {
-    imbalance += y[n + 1 + i] * finer->imbalance[i];
-    push += y[n + 1 + i] * at->push[i];
+    residual += y[n + 1 + i] * finer->residual[i];
+    load += y[n + 1 + i] * at->load_vector[i];
   }
-  found.pressure_error = std::abs(imbalance / (push * found.x[n]));
+  found.pressure_error = std::abs(residual / (load * found.x[n]));
   return found;
 }
 

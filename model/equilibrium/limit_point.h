@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a branch of equilibria turns back in pressure.
+// Limit point of a branch of equilibria, by the extended system of [Moore 1980].
 #pragma once
 
 #include <optional>
@@ -10,16 +10,16 @@
 namespace latticast {
 
 /// A point where a branch ends or loses stability.
-struct CriticalPoint {
-  LimitKind kind = LimitKind::limit_point;
+struct CriticalState {
+  CriticalKind kind = CriticalKind::limit_point;
   BranchPoint x{};
   BalanceAt balance;
   double pressure_error = 0;  ///< estimated, relative to the pressure
   int iterations = 0;         ///< Newton iterations spent on it
 };
 
-/// Where the bending or the twist is largest or smallest as pressure rises, the branch going on.
-struct TurningState {
+/// Where the bending or the twist is largest or smallest along a branch that goes on.
+struct ExtremumState {
   bool of_bending = false;
   bool largest = true;
   BranchPoint x{};
@@ -32,11 +32,11 @@ inline int limit_point_unknowns(const Balance& balance) {
   return 2 * balance.free_count() + 1;
 }
 
-/// Solves the extended system of a limit point (G. Moore, A. Spence, SIAM J. Numer. Anal. 17, 1980)
+/// Solves the extended system of a limit point, [Moore 1980],
 ///     dPi/dq = 0,  H v = 0,  v . v = 1
 /// from a guess near it. Empty when Newton's method does not converge; that the result belongs to
 /// the branch in question is for the caller to check.
-std::optional<CriticalPoint> locate_limit_point(const Balance& balance, NewtonSolver& newton,
+std::optional<CriticalState> locate_limit_point(const Balance& balance, NewtonSolver& newton,
                                                 const BranchPoint& guess);
 
 }  // namespace latticast

@@ -11,7 +11,7 @@
 
 namespace latticast {
 
-enum class LimitKind {
+enum class CriticalKind {
   limit_point,  ///< the branch turns back: ballooning when P > 0; no equilibrium beyond on this
                 ///< branch
   asymptote,    ///< the state grows without end as this pressure is approached, which at a
@@ -23,8 +23,8 @@ enum class LimitKind {
 /// A pressure at which the branch ends or loses stability. Limit points and bifurcations, where an
 /// eigenvalue of the Hessian passes through zero, are located to about 1e-10 relative; an asymptote
 /// is the pressure at a thousandfold growth.
-struct LimitPoint {
-  LimitKind kind = LimitKind::limit_point;
+struct CriticalPoint {
+  CriticalKind kind = CriticalKind::limit_point;
   double pressure_kpa = 0;
   State state;  ///< there; its error_estimate is the pressure's relative error
   std::string
@@ -46,13 +46,13 @@ struct SolverOptions {
   bool all_unknowns = false;  ///< solves also for what symmetry keeps at zero (for checks)
 };
 
-enum class TurningQuantity { bend, twist };
+enum class AngleKind { bend, twist };
 
 /// A pressure at which an angle is largest or smallest while the branch goes on: below and above
 /// it the same angle is met twice, so that an inverse P(angle) has two branches. Located to about
 /// 1e-8.
-struct TurningPoint {
-  TurningQuantity quantity = TurningQuantity::bend;
+struct AngleExtremum {
+  AngleKind quantity = AngleKind::bend;
   bool largest = true;  ///< in magnitude
   double pressure_kpa = 0;
   State state;
@@ -63,8 +63,9 @@ struct Response {
   std::vector<std::optional<State>> states;  ///< one per requested pressure, in the order asked;
                                              ///< empty where `status` says why there is none
   Status status = Status::ok;
-  std::vector<LimitPoint> limit_points;  ///< met on the way; at most one end per sign of pressure
-  std::vector<TurningPoint> turning_points;  ///< met on the way
+  std::vector<CriticalPoint>
+      critical_points;  ///< met on the way; at most one end per sign of pressure
+  std::vector<AngleExtremum> angle_extrema;  ///< met on the way
   std::vector<std::string> solved;  ///< coordinates solved for: stretch, twist, bend-1, bend-2,
                                     ///< radius; the others are held or zero by symmetry
   HorseshoeLaws laws;               ///< of the horseshoe strands, with range and accuracy

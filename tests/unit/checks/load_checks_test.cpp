@@ -73,7 +73,7 @@ TEST(LoadChecks, RemediesPass) {
 
 TEST(LoadChecks, GiveTheLimitPointOfTheModel) {
   const Segment bare = tube(12, 16, NeoHookean{0.08});
-  const double limit = predict(bare, {}, std::array{100.0}).limit_points.at(0).pressure_kpa;
+  const double limit = predict(bare, {}, std::array{100.0}).critical_points.at(0).pressure_kpa;
   const CheckFindings findings = check(bare, {30});
   const CheckFinding* finding = find(findings, "limit-point");
   ASSERT_NE(finding, nullptr);

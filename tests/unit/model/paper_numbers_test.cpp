@@ -143,8 +143,8 @@ TEST(PaperNumbers, BareTubesBalloon) {
         predict(tube(inner[i], 18, NeoHookean{mu}), {}, std::vector<double>{5, 100});
     EXPECT_EQ(response.status, Status::no_equilibrium);
     EXPECT_FALSE(response.states[1]);
-    ASSERT_EQ(response.limit_points.size(), 1U);
-    EXPECT_NEAR(response.limit_points[0].pressure_kpa / 1000 / mu, expected[i], 0.5001e-7);
+    ASSERT_EQ(response.critical_points.size(), 1U);
+    EXPECT_NEAR(response.critical_points[0].pressure_kpa / 1000 / mu, expected[i], 0.5001e-7);
   }
 }
 

@@ -90,8 +90,8 @@ void expect_verified(const RandomExample& example, const State& state) {
 
 /// A missing state is explained by the branch's end before its pressure or by a reason in words.
 void expect_explained(const Response& response, double pressure_kpa) {
-  for (const LimitPoint& limit : response.limit_points) {
-    if (limit.kind != LimitKind::bifurcation && limit.pressure_kpa * pressure_kpa > 0 &&
+  for (const CriticalPoint& limit : response.critical_points) {
+    if (limit.kind != CriticalKind::bifurcation && limit.pressure_kpa * pressure_kpa > 0 &&
         std::abs(limit.pressure_kpa) <= std::abs(pressure_kpa)) {
       return;
     }

@@ -68,8 +68,8 @@ TEST(ReportCurves, RunUpToTheLimitPoint) {
   const Design design = load_up_to(example("twisting/twisting.toml"), 1000);
   const ReportData data = report_of(design);
   const ResponseCurve& curve = data.curves->segments[0];
-  ASSERT_EQ(curve.prediction.response.limit_points.size(), 1U);
-  const double limit = curve.prediction.response.limit_points[0].pressure_kpa;
+  ASSERT_EQ(curve.prediction.response.critical_points.size(), 1U);
+  const double limit = curve.prediction.response.critical_points[0].pressure_kpa;
   ASSERT_LT(limit, 1000);
   const double last = curve.states().back().pressure_kpa;
   EXPECT_LT(last, limit);

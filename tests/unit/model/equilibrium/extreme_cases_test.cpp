@@ -65,7 +65,7 @@ TEST(ExtremeCases, LockedStrandsGoOnBeyondTheLockingPressure) {
   design.pressures_kpa = {72000, 80000, 181000, 448000};
   const Response response = predict(design.segment, design.model, design.pressures_kpa);
   EXPECT_EQ(response.status, Status::ok) << response.message;
-  EXPECT_TRUE(response.limit_points.empty());
+  EXPECT_TRUE(response.critical_points.empty());
   expect_none_wrong(design, "locked");
 }
 
@@ -86,9 +86,9 @@ TEST(ExtremeCases, ThickWallsCloseAtTheExactPressure) {
          0.5 * (bore - inner) * (bore + inner) * (1 / (bore * bore) - 1 / (outside * outside)));
     const Response response =
         predict(segment, {}, std::vector<double>{10 * exact_kpa}, {.twist = true, .stretch = true});
-    ASSERT_EQ(response.limit_points.size(), 1U) << response.message;
-    const LimitPoint& end = response.limit_points.front();
-    EXPECT_EQ(end.kind, LimitKind::closure);
+    ASSERT_EQ(response.critical_points.size(), 1U) << response.message;
+    const CriticalPoint& end = response.critical_points.front();
+    EXPECT_EQ(end.kind, CriticalKind::closure);
     EXPECT_NEAR(end.pressure_kpa / exact_kpa, 1, 1e-9) << "R_i/R_o = " << ratio;
   }
 }
@@ -169,10 +169,10 @@ TEST(ExtremeCases, FarRequestsMeetTheFirstEnd) {
   const Response far = predict(design.segment, design.model, design.pressures_kpa, design.held);
   const std::vector<double> many = {1e6, 2e6, 2.5e6, 2.8e6, 2.9e6, 2.94e6, 3e6};
   const Response near = predict(design.segment, design.model, many, design.held);
-  ASSERT_EQ(far.limit_points.size(), 1U);
-  ASSERT_EQ(near.limit_points.size(), 1U);
-  EXPECT_EQ(far.limit_points[0].kind, LimitKind::limit_point);
-  EXPECT_NEAR(far.limit_points[0].pressure_kpa, near.limit_points[0].pressure_kpa, 1e-3);
+  ASSERT_EQ(far.critical_points.size(), 1U);
+  ASSERT_EQ(near.critical_points.size(), 1U);
+  EXPECT_EQ(far.critical_points[0].kind, CriticalKind::limit_point);
+  EXPECT_NEAR(far.critical_points[0].pressure_kpa, near.critical_points[0].pressure_kpa, 1e-3);
 }
 
 /// A tube that grows on and on while its pressure still rises has no bound that could be named.

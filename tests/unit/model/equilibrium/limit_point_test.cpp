@@ -55,9 +55,9 @@ TEST(LimitPoint, MatchesTheClosedFormForAnyWall) {
     const double expected = ballooning_pressure_over_mu(inner, outer) * mu * 1000;
     const Response response = predict(tube(inner, outer, NeoHookean{mu}), {},
                                       std::vector<double>{1.5 * expected, 0.7 * expected});
-    ASSERT_EQ(response.limit_points.size(), 1U) << response.message;
-    const LimitPoint& limit = response.limit_points[0];
-    EXPECT_EQ(limit.kind, LimitKind::limit_point);
+    ASSERT_EQ(response.critical_points.size(), 1U) << response.message;
+    const CriticalPoint& limit = response.critical_points[0];
+    EXPECT_EQ(limit.kind, CriticalKind::limit_point);
     EXPECT_NEAR(limit.pressure_kpa, expected, 1e-10 * expected);
     EXPECT_LT(limit.state.error_estimate, 1e-10);
     EXPECT_FALSE(response.states[0]);
@@ -91,7 +91,7 @@ TEST(LimitPoint, IsNamed) {
       predict(tube(14, 18, NeoHookean{0.08}), {}, std::vector<double>{10, 20, 40});
   EXPECT_EQ(response.message,
             "limit point (ballooning) at 15.07 kPa: no equilibrium above it on this branch");
-  EXPECT_EQ(response.message, response.limit_points[0].name);
+  EXPECT_EQ(response.message, response.critical_points[0].name);
   EXPECT_TRUE(response.states[0]);
   EXPECT_FALSE(response.states[1]);
   EXPECT_FALSE(response.states[2]);
@@ -105,9 +105,9 @@ TEST(LimitPoint, HeldLengthGrowsTowardsAnAsymptote) {
               {.stretch = true});
   EXPECT_TRUE(response.states[0]);
   EXPECT_FALSE(response.states[1]);
-  ASSERT_EQ(response.limit_points.size(), 1U);
-  EXPECT_EQ(response.limit_points[0].kind, LimitKind::asymptote);
-  EXPECT_NEAR(response.limit_points[0].pressure_kpa, bound, 1e-6 * bound);
+  ASSERT_EQ(response.critical_points.size(), 1U);
+  EXPECT_EQ(response.critical_points[0].kind, CriticalKind::asymptote);
+  EXPECT_NEAR(response.critical_points[0].pressure_kpa, bound, 1e-6 * bound);
 }
 
 TEST(LimitPoint, SuctionClosesTheBore) {
@@ -122,10 +122,10 @@ TEST(LimitPoint, SuctionClosesTheBore) {
   EXPECT_TRUE(response.states[0]);
   EXPECT_FALSE(response.states[1]);
   EXPECT_EQ(response.status, Status::no_equilibrium);
-  ASSERT_EQ(response.limit_points.size(), 1U) << response.message;
-  EXPECT_EQ(response.limit_points[0].kind, LimitKind::closure);
-  EXPECT_NEAR(response.limit_points[0].pressure_kpa / expected, 1,
-              1e-9 + 3 * response.limit_points[0].state.error_estimate);
+  ASSERT_EQ(response.critical_points.size(), 1U) << response.message;
+  EXPECT_EQ(response.critical_points[0].kind, CriticalKind::closure);
+  EXPECT_NEAR(response.critical_points[0].pressure_kpa / expected, 1,
+              1e-9 + 3 * response.critical_points[0].state.error_estimate);
 }
 
 TEST(LimitPoint, AxialColumnsBuckleInTwistUnderSuction) {
@@ -141,15 +141,15 @@ TEST(LimitPoint, AxialColumnsBuckleInTwistUnderSuction) {
   EXPECT_TRUE(response.states[0]->stable);
   EXPECT_FALSE(response.states[1]->stable);
   EXPECT_EQ(response.states[1]->twist_rad_per_mm, 0);
-  ASSERT_EQ(response.limit_points.size(), 1U);
-  EXPECT_EQ(response.limit_points[0].kind, LimitKind::bifurcation);
-  EXPECT_NEAR(response.limit_points[0].pressure_kpa, expected, 1e-3 * std::abs(expected));
-  EXPECT_LT(response.limit_points[0].state.error_estimate, 1e-10);
+  ASSERT_EQ(response.critical_points.size(), 1U);
+  EXPECT_EQ(response.critical_points[0].kind, CriticalKind::bifurcation);
+  EXPECT_NEAR(response.critical_points[0].pressure_kpa, expected, 1e-3 * std::abs(expected));
+  EXPECT_LT(response.critical_points[0].state.error_estimate, 1e-10);
 
   const Response held = predict(segment, with_joint(JointModel::none),
                                 std::vector<double>{2 * expected}, {.twist = true});
   EXPECT_TRUE(held.states[0]->stable);
-  EXPECT_TRUE(held.limit_points.empty());
+  EXPECT_TRUE(held.critical_points.empty());
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/equilibrium/turning_point.h"
+#include "model/equilibrium/angle_extremum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,8 +65,9 @@ BranchPoint between(const BranchPoint& a, const BranchPoint& b, double fraction)
 
 /// Where the rate is zero, its signs at the ends being different: the secant method kept inside its
 /// bracket (Illinois). Empty where the rate jumps instead.
-std::optional<TurningState> located(const Angle& angle, int pressure_entry, const BranchState& from,
-                                    const BranchState& to, const EquilibriumNear& equilibrium) {
+std::optional<ExtremumState> located(const Angle& angle, int pressure_entry,
+                                     const BranchState& from, const BranchState& to,
+                                     const EquilibriumNear& equilibrium) {
   BranchPoint low = from.x;
   BranchPoint high = to.x;
   double at_low = angle.rate(from);
@@ -87,8 +88,8 @@ std::optional<TurningState> located(const Angle& angle, int pressure_entry, cons
       if (std::abs(rate) > 1e-3 * size) return std::nullopt;
       const bool outward = angle.count > 1 || middle->x[angle.first] > 0;
       const double error = std::abs(rate) / size * step / pressure;
-      return TurningState{angle.of_bending, (sense > 0) == outward, middle->x, middle->balance,
-                          error};
+      return ExtremumState{angle.of_bending, (sense > 0) == outward, middle->x, middle->balance,
+                           error};
     }
     const int now = rate * sense > 0 ? 1 : -1;
     (now > 0 ? low : high) = middle->x;
@@ -100,7 +101,7 @@ std::optional<TurningState> located(const Angle& angle, int pressure_entry, cons
 }
 
 void search(const Angle& angle, int pressure_entry, const BranchState& from, const BranchState& to,
-            const EquilibriumNear& equilibrium, int halvings, std::vector<TurningState>& found) {
+            const EquilibriumNear& equilibrium, int halvings, std::vector<ExtremumState>& found) {
   const double start = angle.rate(from);
   const double end = angle.rate(to);
   if (start * end < 0) {
@@ -134,16 +135,16 @@ bool slope_may_vanish(double start, double end, double mean) {
   return u > 0 && u < 1 && start + 0.5 * linear * u < 0.5 * lesser;
 }
 
-std::vector<TurningState> turning_points_between(const Balance& balance, const BranchState& from,
+std::vector<ExtremumState> angle_extrema_between(const Balance& balance, const BranchState& from,
                                                  const BranchState& to,
                                                  const EquilibriumNear& equilibrium) {
-  std::vector<TurningState> found;
+  std::vector<ExtremumState> found;
   for (const bool bending : {true, false}) {
     const Angle angle = angle_of(balance, bending);
     if (angle.count == 0) continue;
     search(angle, balance.free_count(), from, to, equilibrium, most_halvings, found);
   }
-  std::stable_sort(found.begin(), found.end(), [&](const TurningState& a, const TurningState& b) {
+  std::stable_sort(found.begin(), found.end(), [&](const ExtremumState& a, const ExtremumState& b) {
     const int n = balance.free_count();
     return std::abs(a.x[n]) < std::abs(b.x[n]);
   });

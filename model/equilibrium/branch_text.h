@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names of pressures and turning points as messages write them.
+// Texts of pressures and angle extrema as messages write them.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace latticast {
 /// "47.3 kPa".
 std::string pressure_text(double pressure_kpa);
 
-/// What TurningPoint::name says, from its other members and the segment's length.
-std::string turning_name(const TurningPoint& point, double length_mm);
+/// What AngleExtremum::name says, from its other members and the segment's length.
+std::string extremum_text(const AngleExtremum& point, double length_mm);
 
 }  // namespace latticast

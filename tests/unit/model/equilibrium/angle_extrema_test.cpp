@@ -21,14 +21,14 @@ Segment fitted(double thin, double thick) {
   return segment;
 }
 
-double angle_of(const State& state, TurningQuantity quantity) {
-  return quantity == TurningQuantity::bend ? state.bend_magnitude_rad_per_mm()
-                                           : std::abs(state.twist_rad_per_mm);
+double angle_of(const State& state, AngleKind quantity) {
+  return quantity == AngleKind::bend ? state.bend_magnitude_rad_per_mm()
+                                     : std::abs(state.twist_rad_per_mm);
 }
 
 /// Slope of an angle by pressure over angle by pressure, from six states predicted one by one under
 /// a fixed fine quadrature: about 0 at a turning point, about 1 where nothing turns.
-double relative_slope(const PreparedSegment& segment, const TurningPoint& turning) {
+double relative_slope(const PreparedSegment& segment, const AngleExtremum& turning) {
   SolverOptions fine;
   fine.fixed_quadrature = 40;
   const double h = 1e-3 * turning.pressure_kpa;
@@ -47,8 +47,8 @@ TEST(TurningPoints, FittedRodsBendMostNear250) {
   rods.columns = ColumnModel::rods;
   const PreparedSegment segment = prepare_segment(fitted(2, 4), rods);
   const auto response = predict(segment, std::vector<double>{100, 400});
-  ASSERT_EQ(response.turning_points.size(), 1U);
-  const TurningPoint& turning = response.turning_points[0];
+  ASSERT_EQ(response.angle_extrema.size(), 1U);
+  const AngleExtremum& turning = response.angle_extrema[0];
   EXPECT_NEAR(turning.pressure_kpa, 250, 5);
   EXPECT_NEAR(bend_deg(turning.state), 50.3, 0.05);
   EXPECT_NE(turning.name.find("two branches"), std::string::npos);
@@ -59,10 +59,10 @@ TEST(TurningPoints, FittedRodsBendMostNear250) {
 TEST(TurningPoints, DistributedColumnsBendMostAt94) {
   const PreparedSegment segment = prepare_segment(columns(halves(16, 4, 2)), {});
   const auto response = predict(segment, std::vector<double>{100});
-  ASSERT_EQ(response.turning_points.size(), 1U) << response.message;
-  EXPECT_EQ(response.turning_points[0].quantity, TurningQuantity::bend);
-  EXPECT_TRUE(response.turning_points[0].largest);
-  EXPECT_LT(std::abs(relative_slope(segment, response.turning_points[0])), 1e-7);
+  ASSERT_EQ(response.angle_extrema.size(), 1U) << response.message;
+  EXPECT_EQ(response.angle_extrema[0].quantity, AngleKind::bend);
+  EXPECT_TRUE(response.angle_extrema[0].largest);
+  EXPECT_LT(std::abs(relative_slope(segment, response.angle_extrema[0])), 1e-7);
 }
 
 /// Stretch instead of pressure is prescribed: pressure, bore and bending follow, by Newton's method
@@ -115,10 +115,10 @@ TEST(TurningPoints, PressureRisesWithStretchInDistributedColumns) {
               before * 1000, stretch, most_bend * 85 / degree, at_most * 1000);
   const auto response = predict(prepared, std::vector<double>{before * 1000 - 1});
   ASSERT_EQ(response.status, Status::ok) << response.message;
-  EXPECT_TRUE(response.limit_points.empty());
+  EXPECT_TRUE(response.critical_points.empty());
   EXPECT_GT(before, 0.1);
-  EXPECT_NEAR(response.turning_points.at(0).pressure_kpa, at_most * 1000, 0.5);
-  EXPECT_NEAR(bend_deg(response.turning_points.at(0).state), most_bend * 85 / degree, 1e-3);
+  EXPECT_NEAR(response.angle_extrema.at(0).pressure_kpa, at_most * 1000, 0.5);
+  EXPECT_NEAR(bend_deg(response.angle_extrema.at(0).state), most_bend * 85 / degree, 1e-3);
 }
 
 TEST(TurningPoints, TheEndOfAHorseshoesLawIsNamed) {
@@ -149,13 +149,13 @@ Segment random_segment(Random& random) {
 }
 
 /// Pressures at which an angle has an extreme in a dense sweep. Passing through zero is none.
-std::vector<double> extremes(const std::vector<State>& sweep, TurningQuantity quantity) {
+std::vector<double> extremes(const std::vector<State>& sweep, AngleKind quantity) {
   std::vector<double> found;
   for (std::size_t i = 1; i + 1 < sweep.size(); ++i) {
     const State& a = sweep[i - 1];
     const State& b = sweep[i + 1];
     const double here = angle_of(sweep[i], quantity);
-    const double same_way = quantity == TurningQuantity::twist
+    const double same_way = quantity == AngleKind::twist
                                 ? a.twist_rad_per_mm * b.twist_rad_per_mm
                                 : a.bend_rad_per_mm[0] * b.bend_rad_per_mm[0] +
                                       a.bend_rad_per_mm[1] * b.bend_rad_per_mm[1];
@@ -180,13 +180,13 @@ TEST(TurningPoints, AreThoseOfADenseSweep) {
     for (int i = 1; i <= 120; ++i) pressures.push_back(end * i / 120);
     std::vector<State> sweep;
     for (const auto& state : predict(segment, pressures).states) sweep.push_back(state.value());
-    for (const auto quantity : {TurningQuantity::bend, TurningQuantity::twist}) {
+    for (const auto quantity : {AngleKind::bend, AngleKind::twist}) {
       SCOPED_TRACE("design " + std::to_string(design) +
-                   (quantity == TurningQuantity::bend ? ", bending, up to " : ", twist, up to ") +
+                   (quantity == AngleKind::bend ? ", bending, up to " : ", twist, up to ") +
                    std::to_string(end));
       const std::vector<double> expected = extremes(sweep, quantity);
-      std::vector<TurningPoint> found;
-      for (const TurningPoint& turning : response.turning_points) {
+      std::vector<AngleExtremum> found;
+      for (const AngleExtremum& turning : response.angle_extrema) {
         // At the ends of the sweep there is nothing to compare with.
         const bool inside = turning.pressure_kpa > end / 100 && turning.pressure_kpa < 0.99 * end;
         if (turning.quantity == quantity && inside) found.push_back(turning);
@@ -194,18 +194,18 @@ TEST(TurningPoints, AreThoseOfADenseSweep) {
       for (const double pressure : expected) {
         if (pressure <= end / 100 || pressure >= 0.99 * end) continue;
         EXPECT_TRUE(std::any_of(found.begin(), found.end(),
-                                [&](const TurningPoint& turning) {
+                                [&](const AngleExtremum& turning) {
                                   return std::abs(turning.pressure_kpa - pressure) <
                                          1.01 * end / 120;
                                 }))
             << "missed at " << pressure;
       }
-      for (const TurningPoint& turning : found) {
+      for (const AngleExtremum& turning : found) {
         EXPECT_TRUE(std::any_of(expected.begin(), expected.end(), [&](double pressure) {
           return std::abs(turning.pressure_kpa - pressure) < 1.01 * end / 120;
         })) << turning.name;
         worst_slope = std::max(worst_slope, std::abs(relative_slope(segment, turning)));
-        ++turns[quantity == TurningQuantity::twist ? 1 : 0];
+        ++turns[quantity == AngleKind::twist ? 1 : 0];
       }
     }
   }

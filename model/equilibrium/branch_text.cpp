@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/equilibrium/turning_name.h"
+#include "model/equilibrium/branch_text.h"
 
 #include <cmath>
 #include <cstdio>
@@ -15,8 +15,8 @@ std::string pressure_text(double pressure_kpa) {
   return text;
 }
 
-std::string turning_name(const TurningPoint& point, double length_mm) {
-  const bool bend = point.quantity == TurningQuantity::bend;
+std::string extremum_text(const AngleExtremum& point, double length_mm) {
+  const bool bend = point.quantity == AngleKind::bend;
   const double per_mm =
       bend ? point.state.bend_magnitude_rad_per_mm() : std::abs(point.state.twist_rad_per_mm);
   const double angle = degrees(per_mm * length_mm);

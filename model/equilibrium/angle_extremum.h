@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the bending or the twist turns back along a branch that goes on.
+// Extrema of the bending and twist angles along a branch, where the sign of their rate changes.
 #pragma once
 
 #include <functional>
@@ -17,11 +17,11 @@ using EquilibriumNear = std::function<std::optional<BranchState>(const BranchPoi
 /// quadratic through the end slopes and their mean over the step sinks to half of the lesser one.
 bool slope_may_vanish(double start, double end, double mean);
 
-/// Turning points of bending and twist between two successive states of a branch, in the order of
+/// Extrema of bending and twist between two successive states of a branch, in the order of
 /// travel. Where a rate has one sign at both ends but may vanish in between, the step is halved and
 /// looked at again, six times at most. A twist or a one-sided bending that passes through zero does
 /// not turn there; a bending that passes zero at some distance has its smallest value there.
-std::vector<TurningState> turning_points_between(const Balance& balance, const BranchState& from,
+std::vector<ExtremumState> angle_extrema_between(const Balance& balance, const BranchState& from,
                                                  const BranchState& to,
                                                  const EquilibriumNear& equilibrium);
 
