@@ -6,7 +6,6 @@
 
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/tube_solids.h"
-#include "model/section/deformation.h"
 #include "tests/unit/geometry/solid/example_segments.h"
 #include "tests/unit/geometry/solid/mesh_measures.h"
 
