@@ -9,6 +9,7 @@ namespace latticast {
 namespace {
 
 CurveRange part_of(const CurveRange& range, double from, double to) {
+  if (range.curve == own_line) return range;
   return {range.curve, std::lerp(range.from, range.to, from), std::lerp(range.from, range.to, to)};
 }
 
@@ -55,7 +56,7 @@ Strand strand_of(std::vector<OutlineCorner> polygon, std::vector<DrawnCurve> cur
     const CurveRange last = polygon.front().edge;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const CurveRange& edge = i + 1 < polygon.size() ? polygon[i + 1].edge : last;
-      polygon[i].edge = {edge.curve, edge.to, edge.from};
+      polygon[i].edge = part_of(edge, 1, 0);
     }
   }
   Strand strand;

@@ -49,19 +49,25 @@ DrawnEdges drawn_edges(std::span<const Pattern> sheets) {
   return drawn;
 }
 
+EdgeFeet feet_on(const DrawnEdge& edge, PlanePoint a, PlanePoint b, double circumference_mm) {
+  const PlanePoint middle{0.5 * (a.u + b.u), 0.5 * (a.z + b.z)};
+  const double turns = turns_between(edge, middle, circumference_mm);
+  const double shift = turns * circumference_mm;
+  return {turns, foot(edge, {a.u - shift, a.z}), foot(edge, {b.u - shift, b.z})};
+}
+
 std::optional<TracedCurve> traced(const DrawnEdges& drawn, EdgeOrigin origin, PlanePoint a,
                                   PlanePoint b) {
   if (!is_drawn(origin)) return std::nullopt;
   const DrawnEdge& edge = drawn.edges[origin];
-  TracedCurve piece;
-  piece.turns = turns_between(edge, {0.5 * (a.u + b.u), 0.5 * (a.z + b.z)}, drawn.circumference_mm);
-  const double shift = piece.turns * drawn.circumference_mm;
+  const EdgeFeet feet = feet_on(edge, a, b, drawn.circumference_mm);
   const CurveRange& range = edge.range;
-  piece.from = std::lerp(range.from, range.to, foot(edge, {a.u - shift, a.z}));
-  piece.to = std::lerp(range.from, range.to, foot(edge, {b.u - shift, b.z}));
-  piece.curve = range.curve == own_line ? DrawnCurve{.shape = StraightLine{edge.from, edge.to}}
-                                        : drawn.curves[range.curve];
-  return piece;
+  return TracedCurve{.curve = range.curve == own_line
+                                  ? DrawnCurve{.shape = StraightLine{edge.from, edge.to}}
+                                  : drawn.curves[range.curve],
+                     .from = std::lerp(range.from, range.to, feet.a),
+                     .to = std::lerp(range.from, range.to, feet.b),
+                     .turns = feet.turns};
 }
 
 }  // namespace latticast

@@ -49,6 +49,15 @@ struct TracedCurve {
 
 DrawnEdges drawn_edges(std::span<const Pattern> sheets);
 
+/// Where an edge a -> b lies on a drawn edge: the feet of a and b, 0 at its start and 1 at its end,
+/// after `turns` circumferences have been taken off their u.
+struct EdgeFeet {
+  double turns = 0;
+  double a = 0;
+  double b = 0;
+};
+EdgeFeet feet_on(const DrawnEdge& edge, PlanePoint a, PlanePoint b, double circumference_mm);
+
 /// The piece of its drawn curve that an edge a -> b stands for: where the feet of a and b on the
 /// drawn edge lie. a and b may be a whole number of circumferences away from where it was drawn.
 /// Nothing for edges that were not drawn.

@@ -6,6 +6,8 @@
 
 #include <polyclipping/clipper.hpp>
 
+#include "geometry/solid/rounded_outline.h"
+
 namespace latticast {
 namespace {
 
@@ -131,16 +133,21 @@ Pattern with_fillets(const Pattern& pattern, double radius_mm, double flatness_m
   // The length need not be a whole number of steps.
   const double z_step_mm = pattern.length_mm / static_cast<double>(grid.length);
   Pattern result{pattern.circumference_mm, pattern.length_mm, {}};
+  const double off = std::min(flatness_mm, finest_arc_share * radius_mm);
+  const double rounding = (nearest_points + 1) * grid.u_step_mm;
+  const RoundedOutlineTracer tracer(pattern,
+                                    {.radius_mm = radius_mm,
+                                     .rounding_mm = 2 * (first_offset_share * off + rounding),
+                                     .flatness_mm = off + pattern.error.distance_mm});
   for (const Path& path : closed) {
     Strand strand;
     for (const auto& point : path) {
       strand.outline.push_back({static_cast<double>(point.X) * grid.u_step_mm,
                                 static_cast<double>(point.Y) * z_step_mm});
     }
+    tracer.trace(strand);
     result.strands.push_back(std::move(strand));
   }
-  const double off = std::min(flatness_mm, finest_arc_share * radius_mm);
-  const double rounding = (nearest_points + 1) * grid.u_step_mm;
   result.error = pattern.error;
   result.error.distance_mm += (1 + worst_sagitta * first_offset_share) * off + rounding;
   result.error.area_mm2 += area_beside_chords(result, radius_mm, off);

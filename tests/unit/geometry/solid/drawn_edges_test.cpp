@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/solid/fillet.h"
 #include "geometry/solid/plane_mesh.h"
 #include "tests/unit/geometry/solid/random_patterns.h"
 
@@ -283,6 +284,52 @@ TEST(DrawnEdges, OfHorseshoesAreTheirArcs) {
   EXPECT_GE(drawn, 8);
   std::printf("seeds from %llu: %d of 16 drawn, %zu places found\n",
               static_cast<unsigned long long>(seed), drawn, probes);
+}
+
+struct Shares {
+  std::size_t edges = 0;
+  std::size_t of_strands = 0;
+  std::size_t of_fillets = 0;
+};
+
+void count_parts(const Region& region, Shares& shares) {
+  for (const PlaneEdge& edge : outline_of(region)) {
+    const auto piece = traced(region.drawn, edge.origin, edge.a, edge.b);
+    if (!piece) continue;
+    ++shares.edges;
+    const CurvePart part = piece->curve.part;
+    if (part == CurvePart::fillet) {
+      ++shares.of_fillets;
+    } else if (part != CurvePart::other) {
+      ++shares.of_strands;
+    }
+  }
+}
+
+TEST(DrawnEdges, OfFilletsAreArcsBetweenTheStrands) {
+  constexpr std::uint64_t seed = 11801;
+  Shares shares;
+  for (std::uint64_t i = 0; i < 24 && !testing::Test::HasFailure(); ++i) {
+    SCOPED_TRACE("seed " + std::to_string(seed + i));
+    RandomNumbers random(seed + i);
+    const Segment segment = i % 2 == 0 ? horseshoe_segment(random) : random_segment(random);
+    const double radius = random.log_between(0.1, 1);
+    const Pattern pattern =
+        with_fillets(draw_lattice(segment, 0.5 * flatness_mm), radius, 0.5 * flatness_mm);
+    const PlaneGrid grid =
+        make_plane_grid(pattern.circumference_mm, pattern.length_mm, random.whole(12, 40));
+    const Region region = unite(pattern, grid, {}, closing_mm);
+    const auto outline = outline_of(region);
+    ASSERT_NO_FATAL_FAILURE(expect_on_curves(outline, region.drawn, grid, region.error));
+    expect_lengths(outline, region.drawn, most_steps * step_mm(grid) + region.error.distance_mm);
+    count_parts(region, shares);
+  }
+  std::printf("seeds from %llu: %zu edges, %zu of strands and rings, %zu of fillets\n",
+              static_cast<unsigned long long>(seed), shares.edges, shares.of_strands,
+              shares.of_fillets);
+  EXPECT_GT(shares.of_fillets, shares.edges / 10);
+  // Chords on either side of an inflection lie in line and have become one, which is neither's.
+  EXPECT_GT(shares.of_fillets + shares.of_strands, shares.edges - shares.edges / 40);
 }
 
 }  // namespace
