@@ -6,6 +6,7 @@
 #include <numeric>
 #include <queue>
 
+#include "geometry/mesh/disjoint_sets.h"
 #include "geometry/solid/fillet.h"
 #include "geometry/solid/plane_mesh.h"
 #include "geometry/solid/region.h"
@@ -18,14 +19,6 @@ constexpr double coarsest_mm = 0.01;
 constexpr double share_of_finest = 0.05;
 constexpr double finest_slack_mm = 1e-3;
 constexpr double straight_sine = 1e-7;  // grid steps bend a line by less
-
-double cross(PlanePoint a, PlanePoint b, PlanePoint c) {
-  return (b.u - a.u) * (c.z - a.z) - (b.z - a.z) * (c.u - a.u);
-}
-
-double distance(PlanePoint a, PlanePoint b) {
-  return std::hypot(b.u - a.u, b.z - a.z);
-}
 
 double finest_mm(const Lattice& lattice) {
   double finest = lattice.rings ? lattice.rings->width_mm : HUGE_VAL;
@@ -96,15 +89,10 @@ std::vector<Outline> outlines_of(const PlaneMesh& mesh, const std::vector<PlaneP
 
 std::vector<LatticePart> parts_of(const PlaneMesh& mesh, const std::vector<PlanePoint>& points,
                                   double circumference) {
-  std::vector<std::uint32_t> parent(points.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  DisjointSets connected(points.size());
   for (const auto& t : mesh.triangles) {
-    parent[root(t[1])] = root(t[0]);
-    parent[root(t[2])] = root(t[0]);
+    connected.join(t[1], t[0]);
+    connected.join(t[2], t[0]);
   }
   std::vector<LatticePart> by_root(points.size());
   std::vector<double> largest(points.size(), 0);
@@ -115,10 +103,10 @@ std::vector<LatticePart> parts_of(const PlaneMesh& mesh, const std::vector<Plane
       corner[i].u = points[t[0]].u + std::remainder(corner[i].u - points[t[0]].u, circumference);
     }
     const double area = 0.5 * cross(corner[0], corner[1], corner[2]);
-    LatticePart& part = by_root[root(t[0])];
+    LatticePart& part = by_root[connected.root(t[0])];
     part.area_mm2 += area;
-    if (area <= largest[root(t[0])]) continue;
-    largest[root(t[0])] = area;
+    if (area <= largest[connected.root(t[0])]) continue;
+    largest[connected.root(t[0])] = area;
     part.place = {(corner[0].u + corner[1].u + corner[2].u) / 3,
                   (corner[0].z + corner[1].z + corner[2].z) / 3};
   }

@@ -10,6 +10,7 @@
 
 #include "checks/bed_check.h"
 #include "checks/lattice_use.h"
+#include "geometry/mesh/disjoint_sets.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/audit.h"
 #include "geometry/solid/wall_thickness.h"
@@ -75,15 +76,10 @@ struct Body {
 };
 
 std::vector<Body> bodies_of(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  DisjointSets connected(mesh.vertices.size());
   for (const Triangle& t : mesh.triangles) {
-    parent[root(t[1])] = root(t[0]);
-    parent[root(t[2])] = root(t[0]);
+    connected.join(t[1], t[0]);
+    connected.join(t[2], t[0]);
   }
   std::vector<std::size_t> body(mesh.vertices.size(), SIZE_MAX);
   std::vector<Body> bodies;
@@ -91,7 +87,7 @@ std::vector<Body> bodies_of(const TriangleMesh& mesh) {
     const Point& a = mesh.vertices[t[0]];
     const Point& b = mesh.vertices[t[1]];
     const Point& c = mesh.vertices[t[2]];
-    std::size_t& index = body[root(t[0])];
+    std::size_t& index = body[connected.root(t[0])];
     if (index == SIZE_MAX) {
       index = bodies.size();
       bodies.push_back({0, a});

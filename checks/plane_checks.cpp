@@ -19,16 +19,8 @@ constexpr double fine_share = 0.01;
 constexpr double grid_mm = 1e-3;
 constexpr double drawn_mm = 0.02;  // arcs are chords, and corners grid points: finer is not meant
 
-double cross(PlanePoint a, PlanePoint b, PlanePoint c) {
-  return (b.u - a.u) * (c.z - a.z) - (b.z - a.z) * (c.u - a.u);
-}
-
 PlanePoint between(PlanePoint a, PlanePoint b, double part) {
   return {a.u + part * (b.u - a.u), a.z + part * (b.z - a.z)};
-}
-
-double distance(PlanePoint a, PlanePoint b) {
-  return std::hypot(b.u - a.u, b.z - a.z);
 }
 
 // A point of the outline counted on from any other, u stretched; i may be negative or too large.

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "geometry/mesh/disjoint_sets.h"
 #include "geometry/solid/plane_mesh.h"
 
 namespace latticast {
@@ -94,12 +95,7 @@ std::vector<std::uint32_t> Cavity::extremes(double direction, bool one_a_part) c
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](auto a, auto b) { return height(a) > height(b); });
-  std::vector<std::uint32_t> parent(points_.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  DisjointSets parts(points_.size());
   std::vector<char> reached(points_.size(), 0);
   std::vector<std::uint32_t> found;
   for (const std::uint32_t v : order) {
@@ -107,16 +103,16 @@ std::vector<std::uint32_t> Cavity::extremes(double direction, bool one_a_part) c
     for_each_neighbour(v, [&](std::uint32_t other) {
       if (!reached[other]) return;
       // A root is its part's top.
-      std::uint32_t low = root(v);
-      std::uint32_t high = root(other);
+      std::uint32_t low = parts.root(v);
+      std::uint32_t high = parts.root(other);
       if (low == high) return;
       if (height(low) > height(high)) std::swap(low, high);
       if (!one_a_part && height(low) - height(v) > level_mm) found.push_back(low);
-      parent[low] = high;
+      parts.join(low, high);
     });
   }
   for (const std::uint32_t v : order) {
-    if (root(v) == v) found.push_back(v);
+    if (parts.root(v) == v) found.push_back(v);
   }
   return found;
 }

@@ -125,14 +125,6 @@ std::vector<StrapGroove> place_straps(double length, double rim, const std::vect
           place_strap(middle + 1, highest, highest - in - strap_width_mm, bores)};
 }
 
-bool intersects_itself(const TriangleMesh& mesh) {
-  const TriangleMesh welded = weld(mesh);
-  std::vector<char> degenerate;
-  degenerate.reserve(welded.triangles.size());
-  for (const Triangle& t : welded.triangles) degenerate.push_back(is_degenerate(welded, t) ? 1 : 0);
-  return !self_intersections(welded, degenerate).empty();
-}
-
 // Where an arc or a bore grazes another outline, the walls on either side may leave their surfaces
 // by more than the land between them is broad. Finer walls keep apart.
 Solid clear_shell_solid(const LatticeMoldPlan& plan, int piece) {

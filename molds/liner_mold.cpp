@@ -10,6 +10,7 @@
 #include "geometry/solid/layered_solid.h"
 #include "molds/cannot_mold.h"
 #include "molds/mold_rings.h"
+#include "molds/parting.h"
 #include "molds/stepped_solid.h"
 
 namespace latticast {
@@ -61,19 +62,8 @@ Frame make_frame(const LinerCavity& cavity, const LinerMoldOptions& options) {
 // The middle of a seam, from the bottom up, as distances along the bore from its angle: flanks of
 // teeth lean, so that the pieces find each other.
 std::vector<PlanePoint> seam(const Frame& frame) {
-  const double height = frame.cavity.height_mm;
-  const int teeth = std::max(1, static_cast<int>(std::lround(height / tooth_pitch_mm)));
-  const double pitch = height / teeth;
-  const double side = 0.5 * frame.tooth_mm;
-  std::vector<PlanePoint> points = {{-side, 0}};
-  for (int i = 0; i < teeth; ++i) {
-    points.push_back({-side, (i + 0.2) * pitch});
-    points.push_back({side, (i + 0.3) * pitch});
-    points.push_back({side, (i + 0.7) * pitch});
-    points.push_back({-side, (i + 0.8) * pitch});
-  }
-  points.push_back({-side, height});
-  return points;
+  constexpr ToothCorner tooth[] = {{-1, 0.2}, {1, 0.3}, {1, 0.7}, {-1, 0.8}};
+  return toothed_line(frame.cavity.height_mm, tooth_pitch_mm, 0.5 * frame.tooth_mm, -1, tooth);
 }
 
 Strand shell_outline(const Frame& frame, int piece) {

@@ -37,12 +37,8 @@ Solid core_solid(const Core& core, double tolerance_mm) {
                         {core.chamfer_mm, length - core.chamfer_mm}};
   Solid solid = layered_solid(rod, chamfer_tolerance_mm(tolerance_mm, core.radius_mm));
   for (const double end : {core.from_mm, core.to_mm}) {
-    chamfer(solid.mesh, end, core.radius_mm, core.chamfer_mm);
+    chamfer(solid, end, core.radius_mm, core.chamfer_mm);
   }
-  const double r = core.radius_mm;
-  const double small = r - core.chamfer_mm;
-  const double cone = (r * r + r * small + small * small) / 3;
-  solid.volume_mm3 -= 2 * std::numbers::pi * core.chamfer_mm * (r * r - cone);
   return solid;
 }
 

@@ -25,23 +25,9 @@ double into_turn(double angle) {
   return angle - 2 * pi * std::floor(angle / (2 * pi));
 }
 
-// Teeth of equal height with flanks as long as half a tooth's crest: to one side, to the other.
-std::vector<PlanePoint> toothed_seam(double length, double reach) {
-  const int teeth = std::max(1, static_cast<int>(std::lround(length / tooth_pitch_mm)));
-  const double pitch = length / teeth;
-  std::vector<PlanePoint> seam{{0, 0}};
-  for (int i = 0; i < teeth; ++i) {
-    const double from = i * pitch;
-    seam.push_back({0, from + 0.14 * pitch});
-    seam.push_back({reach, from + 0.22 * pitch});
-    seam.push_back({reach, from + 0.42 * pitch});
-    seam.push_back({-reach, from + 0.58 * pitch});
-    seam.push_back({-reach, from + 0.78 * pitch});
-    seam.push_back({0, from + 0.86 * pitch});
-  }
-  seam.push_back({0, length});
-  return seam;
-}
+// To one side and to the other, with flanks as long as half a tooth's crest.
+constexpr ToothCorner tooth[] = {{0, 0.14},  {1, 0.22},  {1, 0.42},
+                                 {-1, 0.58}, {-1, 0.78}, {0, 0.86}};
 
 // A half that reaches by the angle d past its middle needs core radius x (1 - cos d) of play.
 double tooth_reach_mm(const PartingWish& wish, int pieces, double drawn_radius,
@@ -219,6 +205,20 @@ std::vector<Undercut> map_of(const GrooveWalls& walls, const Parting& parting,
 
 }  // namespace
 
+std::vector<PlanePoint> toothed_line(double length_mm, double pitch_mm, double reach_mm,
+                                     double rest, std::span<const ToothCorner> corners) {
+  const int teeth = std::max(1, static_cast<int>(std::lround(length_mm / pitch_mm)));
+  const double pitch = length_mm / teeth;
+  std::vector<PlanePoint> line{{rest * reach_mm, 0}};
+  for (int i = 0; i < teeth; ++i) {
+    for (const ToothCorner& corner : corners) {
+      line.push_back({corner.reach * reach_mm, (i + corner.pitch) * pitch});
+    }
+  }
+  line.push_back({rest * reach_mm, length_mm});
+  return line;
+}
+
 double seam_rad(const Parting& parting, int seam) {
   return parting.first_seam_rad + seam * 2 * pi / parting.pieces;
 }
@@ -259,7 +259,8 @@ Parting choose_parting(const Pattern& strands, const PartingWish& wish, const Ca
   const GrooveWalls walls = groove_walls(strands);
   const auto parted_in = [&](int pieces) {
     const double reach = tooth_reach_mm(wish, pieces, radius, layer);
-    return best_turn(map, {pieces, 0, radius, toothed_seam(strands.length_mm, reach)});
+    return best_turn(
+        map, {pieces, 0, radius, toothed_line(strands.length_mm, tooth_pitch_mm, reach, 0, tooth)});
   };
   if (wish.pieces) return parted_in(*wish.pieces);
   Parting best;

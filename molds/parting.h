@@ -4,11 +4,24 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/pattern/pattern.h"
 
 namespace latticast {
+
+/// A corner of one tooth of a seam: its shares of the teeth's reach and of their pitch.
+struct ToothCorner {
+  double reach = 0;
+  double pitch = 0;
+};
+
+/// The middle line of a seam with teeth, z from 0 to `length_mm`: as many equal teeth as fit best
+/// at the given pitch, at least one, with a straight piece at each end. It starts and ends at
+/// `rest` times the reach.
+std::vector<PlanePoint> toothed_line(double length_mm, double pitch_mm, double reach_mm,
+                                     double rest, std::span<const ToothCorner> tooth);
 
 /// Equal sectors with toothed seams, all seams alike. Piece k lies between seams k and k + 1 and is
 /// pulled off straight outwards in the direction midway between them.

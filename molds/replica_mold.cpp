@@ -83,11 +83,8 @@ Solid pattern_solid(const LatticeMoldPlan& plan, const Height& height, double bo
   tube.steepness = 1;
   Solid solid = layered_solid(tube, chamfer_tolerance_mm(fit.tolerance_mm, rod));
   for (const double end : {height.low_mm, height.high_mm}) {
-    chamfer(solid.mesh, end, rod, chamfer_mm);
+    chamfer(solid, end, rod, chamfer_mm);
   }
-  const double tip = rod - chamfer_mm;
-  const double cone = (rod * rod + rod * tip + tip * tip) / 3;
-  solid.volume_mm3 -= 2 * pi * chamfer_mm * (rod * rod - cone);
   return solid;
 }
 

@@ -30,11 +30,7 @@ Solid stepped_solid(const SteppedRod& rod, double tolerance_mm) {
   }
   Solid solid = layered_solid(tube, tolerance_mm);
   if (rod.chamfer_mm > 0) {
-    const double r = first.radius_mm;
-    const double small = r - rod.chamfer_mm;
-    chamfer(solid.mesh, rod.start_z_mm + first.height_mm, r, rod.chamfer_mm);
-    const double cone = (r * r + r * small + small * small) / 3;
-    solid.volume_mm3 -= std::numbers::pi * rod.chamfer_mm * (r * r - cone);
+    chamfer(solid, rod.start_z_mm + first.height_mm, first.radius_mm, rod.chamfer_mm);
   }
   return solid;
 }

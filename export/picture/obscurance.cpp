@@ -10,9 +10,6 @@
 namespace latticast {
 namespace {
 
-using vectors::dot;
-using vectors::length;
-
 constexpr int directions = 12;
 constexpr double strength = 2.2;
 constexpr double golden_section = 0.618034;  // turns that spread directions evenly

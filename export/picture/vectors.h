@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums and products of points, for drawing.
+// Operators on points of space, for drawing.
 #pragma once
 
 #include <cmath>
 
-#include "geometry/mesh/triangle_mesh.h"
+#include "geometry/mesh/point_algebra.h"
 
 namespace latticast::vectors {
 
@@ -18,18 +18,6 @@ inline Point operator-(const Point& a, const Point& b) {
 
 inline Point operator*(double s, const Point& a) {
   return {s * a[0], s * a[1], s * a[2]};
-}
-
-inline double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-inline Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-inline double length(const Point& a) {
-  return std::sqrt(dot(a, a));
 }
 
 inline bool is_finite(const Point& a) {

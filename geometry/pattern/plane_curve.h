@@ -6,13 +6,9 @@
 #include <limits>
 #include <variant>
 
-namespace latticast {
+#include "geometry/pattern/plane_point.h"
 
-/// A point of the unrolled plane in mm.
-struct PlanePoint {
-  double u = 0;
-  double z = 0;
-};
+namespace latticast {
 
 struct StraightLine {
   PlanePoint from;

@@ -50,8 +50,7 @@ DrawnEdges drawn_edges(std::span<const Pattern> sheets) {
 }
 
 EdgeFeet feet_on(const DrawnEdge& edge, PlanePoint a, PlanePoint b, double circumference_mm) {
-  const PlanePoint middle{0.5 * (a.u + b.u), 0.5 * (a.z + b.z)};
-  const double turns = turns_between(edge, middle, circumference_mm);
+  const double turns = turns_between(edge, middle(a, b), circumference_mm);
   const double shift = turns * circumference_mm;
   return {turns, foot(edge, {a.u - shift, a.z}), foot(edge, {b.u - shift, b.z})};
 }

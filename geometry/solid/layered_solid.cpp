@@ -64,10 +64,16 @@ Strand drawn_disc(double drawn_radius_mm, double at_rad, double z_mm, double rad
   const int steps = std::max(12, static_cast<int>(std::ceil(2 * std::numbers::pi / step)));
   const double angle = 2 * std::numbers::pi / steps;
   const double corner = radius_mm * std::sqrt(angle / std::sin(angle));
+  const PlanePoint centre{drawn_radius_mm * at_rad, z_mm};
   Strand strand;
+  strand.curves = {{.shape = CircularArc{.centre = centre,
+                                         .radius_mm = radius_mm,
+                                         .from_rad = 0,
+                                         .to_rad = 2 * std::numbers::pi}}};
   for (int i = 0; i < steps; ++i) {
-    strand.outline.push_back({drawn_radius_mm * at_rad + corner * std::cos(i * angle),
-                              z_mm + corner * std::sin(i * angle)});
+    strand.outline.push_back(
+        {centre.u + corner * std::cos(i * angle), centre.z + corner * std::sin(i * angle)});
+    strand.traces.push_back({0, double(i) / steps, double(i + 1) / steps});
   }
   return strand;
 }
@@ -80,14 +86,19 @@ double chamfer_tolerance_mm(double tolerance_mm, double radius_mm) {
   return std::min(tolerance_mm, 0.8 * on_radius * radius_mm);
 }
 
-void chamfer(TriangleMesh& mesh, double z_mm, double radius_mm, double depth_mm) {
-  const double factor = (radius_mm - depth_mm) / radius_mm;
-  for (Point& p : mesh.vertices) {
+void chamfer(Solid& solid, double z_mm, double radius_mm, double depth_mm) {
+  const double small_mm = radius_mm - depth_mm;
+  const double factor = small_mm / radius_mm;
+  for (Point& p : solid.mesh.vertices) {
     if (std::abs(p[2] - z_mm) > on_height_mm) continue;
     if (std::abs(std::hypot(p[0], p[1]) / radius_mm - 1) > on_radius) continue;
     p[0] *= factor;
     p[1] *= factor;
   }
+  // What is left there is a truncated cone.
+  const double square = radius_mm * radius_mm;
+  const double cone = (square + radius_mm * small_mm + small_mm * small_mm) / 3;
+  solid.volume_mm3 -= std::numbers::pi * depth_mm * (square - cone);
 }
 
 }  // namespace latticast

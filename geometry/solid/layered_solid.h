@@ -50,11 +50,12 @@ Strand drawn_disc(double drawn_radius_mm, double at_rad, double z_mm, double rad
 /// else cuts it.
 DrawingError disc_error(double radius_mm, double flatness_mm);
 
-/// Gives the edge between the face at `z_mm` and the cylinder of `radius_mm` a lead-in chamfer: its
-/// vertices move inwards (outwards for a bore) by `depth_mm`. The band of walls beside the face
-/// must have been cut at that distance from it: draw a line of the material there. The facets must
-/// be within chamfer_tolerance_mm() of the cylinder, so that its vertices are known.
-void chamfer(TriangleMesh& mesh, double z_mm, double radius_mm, double depth_mm);
+/// Gives the edge between the face at `z_mm` and the cylinder of `radius_mm` a lead-in chamfer of
+/// 45 degrees, and takes its ring off the volume: the edge's vertices move inwards by `depth_mm`.
+/// The band of walls beside the face must have been cut at that distance from it: draw a line of
+/// the material there. The facets must be within chamfer_tolerance_mm() of the cylinder, so that
+/// its vertices are known.
+void chamfer(Solid& solid, double z_mm, double radius_mm, double depth_mm);
 
 /// The given tolerance, made as fine as `chamfer` needs it on a cylinder of that radius.
 double chamfer_tolerance_mm(double tolerance_mm, double radius_mm);

@@ -4,20 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/mesh/point_algebra.h"
+
 namespace latticast {
 namespace {
-
-Point minus(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 // Makes a vector one long; says whether its direction can be told from rounding.
 bool normalise(Point& v) {
@@ -58,7 +48,7 @@ void take_bounds(OrientedBox& box, const Point& low, const Point& high) {
 }  // namespace
 
 OrientedBox OrientedBox::around(const Point& a, const Point& b, const Point& c, double margin) {
-  const std::array<Point, 3> edges{minus(b, a), minus(c, b), minus(a, c)};
+  const std::array<Point, 3> edges{difference(b, a), difference(c, b), difference(a, c)};
   int longest = 0;
   for (int i = 1; i < 3; ++i) {
     if (dot(edges[i], edges[i]) > dot(edges[longest], edges[longest])) longest = i;
@@ -73,7 +63,7 @@ OrientedBox OrientedBox::around(const Point& a, const Point& b, const Point& c, 
   Point high{};
   for (int i = 0; i < 3; ++i) {
     for (const Point& corner : {b, c}) {
-      const double x = dot(minus(corner, a), box.axes[i]);
+      const double x = dot(difference(corner, a), box.axes[i]);
       low[i] = std::min(low[i], x);
       high[i] = std::max(high[i], x);
     }
@@ -90,7 +80,7 @@ OrientedBox OrientedBox::around(const OrientedBox& a, const OrientedBox& b) {
   const bool along_a = length(a) >= length(b);
   OrientedBox box = along_a ? a : b;
   const OrientedBox& other = along_a ? b : a;
-  const Point between = minus(other.middle, box.middle);
+  const Point between = difference(other.middle, box.middle);
   Point low{};
   Point high{};
   for (int i = 0; i < 3; ++i) {
@@ -104,7 +94,7 @@ OrientedBox OrientedBox::around(const OrientedBox& a, const OrientedBox& b) {
 }
 
 bool OrientedBox::may_meet(const OrientedBox& other) const {
-  const Point between = minus(other.middle, middle);
+  const Point between = difference(other.middle, middle);
   Point reached = other.half;  // by both boxes, along each axis of the other
   for (int i = 0; i < 3; ++i) {
     double sum = half[i];

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include "geometry/mesh/disjoint_sets.h"
 
 namespace latticast {
 namespace {
@@ -260,21 +261,16 @@ PlaneMesh triangulate(const Region& region) {
 }
 
 int pieces(const PlaneMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  DisjointSets connected(mesh.vertices.size());
   std::vector<char> used(mesh.vertices.size(), 0);
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t vertex : triangle) {
       used[vertex] = 1;
-      parent[root(vertex)] = root(triangle[0]);
+      connected.join(vertex, triangle[0]);
     }
   }
   int count = 0;
-  for (std::uint32_t i = 0; i < parent.size(); ++i) count += used[i] && parent[i] == i;
+  for (std::uint32_t i = 0; i < used.size(); ++i) count += used[i] && connected.root(i) == i;
   return count;
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "geometry/mesh/disjoint_sets.h"
 #include "geometry/solid/arrangement.h"
 
 namespace latticast {
@@ -232,11 +233,6 @@ ClosedPattern close_touching(Pattern pattern, const PlaneGrid& grid,
       "width slightly");
 }
 
-std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t i) {
-  while (parent[i] != i) i = parent[i] = parent[parent[i]];
-  return i;
-}
-
 }  // namespace
 
 Pattern closed_pattern(Pattern pattern, const PlaneGrid& grid, double closing_mm) {
@@ -332,22 +328,20 @@ DrawingError region_error(const Region& region, int layer) {
 
 int outline_loops(const Region& region) {
   VertexIndex index;
-  std::vector<std::uint32_t> parent;
+  DisjointSets curves(0);
   const auto index_of = [&](const PlaneVertex& vertex) {
-    const auto [at, is_new] = index.try_emplace(vertex, static_cast<std::uint32_t>(parent.size()));
-    if (is_new) parent.push_back(at->second);
+    const auto [at, is_new] = index.try_emplace(vertex, static_cast<std::uint32_t>(curves.size()));
+    if (is_new) curves.add();
     return at->second;
   };
   int loops = 0;
   for_each_outline_edge(region, [&](const PlaneVertex& a, const PlaneVertex& b, Layers layers) {
     if ((layers & 1U) == 0) return;
-    const std::size_t known = parent.size();
-    const std::uint32_t i = find_root(parent, index_of(a));
-    const std::uint32_t j = find_root(parent, index_of(b));
-    loops += static_cast<int>(parent.size() - known);
-    if (i == j) return;
-    parent[i] = j;
-    --loops;
+    const std::size_t known = curves.size();
+    const std::uint32_t i = index_of(a);
+    const std::uint32_t j = index_of(b);
+    loops += static_cast<int>(curves.size() - known);
+    if (curves.join(i, j)) --loops;
   });
   return loops;
 }

@@ -6,8 +6,9 @@
 #include <limits>
 #include <map>
 #include <numbers>
-#include <numeric>
 #include <unordered_map>
+
+#include "geometry/mesh/disjoint_sets.h"
 
 namespace latticast {
 namespace {
@@ -204,12 +205,7 @@ ReliefTopology topology(const Relief& relief) {
   const auto layers = static_cast<int>(relief.radii_mm.size());
   // Cells are triangles of one layer; the solid's pieces join across edges and between layers.
   const std::size_t triangles = plane.triangles.size();
-  std::vector<std::uint32_t> parent(triangles * layers);
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  DisjointSets joined_cells(triangles * layers);
   const auto cell = [&](std::size_t triangle, int layer) {
     return static_cast<std::uint32_t>(triangle + layer * triangles);
   };
@@ -217,9 +213,7 @@ ReliefTopology topology(const Relief& relief) {
   int cells = 0;
   int joined = 0;
   const auto join = [&](std::uint32_t a, std::uint32_t b) {
-    if (root(a) == root(b)) return;
-    parent[root(a)] = root(b);
-    ++joined;
+    if (joined_cells.join(a, b)) ++joined;
   };
   for (int layer = 0; layer < layers; ++layer) {
     const Layers here = Layers{1} << layer;

@@ -14,18 +14,6 @@ namespace {
 constexpr int cells_around = 128;
 constexpr double most_rows = 4096;
 
-double distance(PlanePoint a, PlanePoint b) {
-  return std::hypot(a.u - b.u, a.z - b.z);
-}
-
-PlanePoint middle(PlanePoint a, PlanePoint b) {
-  return {0.5 * (a.u + b.u), 0.5 * (a.z + b.z)};
-}
-
-double cross(PlanePoint a, PlanePoint b, PlanePoint c) {
-  return (b.u - a.u) * (c.z - a.z) - (b.z - a.z) * (c.u - a.u);
-}
-
 // The parameter of the place on the arc that is nearest to a point, if the point is that near.
 std::optional<double> place_on(const CircularArc& arc, PlanePoint p, double tolerance) {
   if (std::abs(distance(p, arc.centre) - arc.radius_mm) > tolerance) return std::nullopt;

@@ -7,6 +7,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include "geometry/mesh/weld.h"
 #include "geometry/solid/oriented_box.h"
 
 namespace latticast {
@@ -325,6 +326,14 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> self_intersections(
   });
   std::sort(found.begin(), found.end());
   return found;
+}
+
+bool intersects_itself(const TriangleMesh& mesh) {
+  const TriangleMesh welded = weld(mesh);
+  std::vector<char> degenerate;
+  degenerate.reserve(welded.triangles.size());
+  for (const Triangle& t : welded.triangles) degenerate.push_back(is_degenerate(welded, t) ? 1 : 0);
+  return !self_intersections(welded, degenerate).empty();
 }
 
 bool is_degenerate(const TriangleMesh& mesh, const Triangle& t) {

@@ -134,14 +134,6 @@ void check_size(const Relief& relief) {
                       " million: use a coarser tolerance or fewer strands");
 }
 
-bool intersects_itself(const TriangleMesh& mesh) {
-  const TriangleMesh welded = weld(mesh);
-  std::vector<char> degenerate;
-  degenerate.reserve(welded.triangles.size());
-  for (const Triangle& t : welded.triangles) degenerate.push_back(is_degenerate(welded, t) ? 1 : 0);
-  return !self_intersections(welded, degenerate).empty();
-}
-
 // A layer's region on a grid, and what stands on it.
 struct LaidOut {
   Region region;

@@ -8,29 +8,12 @@
 #include <vector>
 
 #include "design/units.h"
+#include "geometry/mesh/point_algebra.h"
 
 namespace latticast {
 namespace {
 
 constexpr double most_points = 400'000;
-
-Point difference(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-/// from + along * direction
-Point moved(const Point& from, const Point& direction, double along) {
-  return {from[0] + along * direction[0], from[1] + along * direction[1],
-          from[2] + along * direction[2]};
-}
 
 struct Facet {
   std::array<Point, 3> corners;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geometry/mesh/point_algebra.h"
 #include "tests/unit/geometry/solid/mesh_measures.h"
 
 namespace latticast {
@@ -28,14 +29,6 @@ Matrix derivative(const Map& map, const Point& at) {
     for (int i = 0; i < 3; ++i) columns[j][i] = (to[i] - from[i]) / (2 * difference_mm);
   }
   return columns;
-}
-
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 // Rows of the inverse are cross products of the columns over the determinant.

@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/mesh/disjoint_sets.h"
 #include "geometry/solid/fillet.h"
 #include "geometry/solid/flat_sheet.h"
 #include "geometry/solid/plane_mesh.h"
@@ -129,12 +130,7 @@ struct SheetTopology {
 /// holes.
 inline SheetTopology triangle_topology(const PlaneMesh& mesh) {
   const auto n = static_cast<std::uint32_t>(mesh.vertices.size());
-  std::vector<std::uint32_t> parent(2 * n);
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
+  DisjointSets connected(2 * n);
   std::set<std::uint32_t> corners;
   std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
   for (const auto& t : mesh.triangles) {
@@ -150,11 +146,11 @@ inline SheetTopology triangle_topology(const PlaneMesh& mesh) {
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t next = corner[(i + 1) % 3];
       sides.insert({std::min(corner[i], next), std::max(corner[i], next)});
-      parent[root(corner[i])] = root(next);
+      connected.join(corner[i], next);
     }
   }
   SheetTopology counted;
-  for (const std::uint32_t v : corners) counted.pieces += root(v) == v;
+  for (const std::uint32_t v : corners) counted.pieces += connected.root(v) == v;
   counted.holes = counted.pieces - static_cast<int>(corners.size()) +
                   static_cast<int>(sides.size()) - static_cast<int>(mesh.triangles.size());
   return counted;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/mesh/disjoint_sets.h"
 #include "geometry/mesh/triangle_mesh.h"
 
 namespace latticast {
@@ -56,18 +57,13 @@ inline bool is_closed_and_oriented(const TriangleMesh& mesh) {
 }
 
 inline int components(const TriangleMesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.vertices.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  const auto root = [&](std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
-    return i;
-  };
+  DisjointSets connected(mesh.vertices.size());
   for (const Triangle& t : mesh.triangles) {
-    parent[root(t[1])] = root(t[0]);
-    parent[root(t[2])] = root(t[0]);
+    connected.join(t[1], t[0]);
+    connected.join(t[2], t[0]);
   }
   std::set<std::uint32_t> roots;
-  for (const Triangle& t : mesh.triangles) roots.insert(root(t[0]));
+  for (const Triangle& t : mesh.triangles) roots.insert(connected.root(t[0]));
   return static_cast<int>(roots.size());
 }
 

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/mesh/point_algebra.h"
 #include "report/preview.h"
 #include "tests/unit/geometry/solid/example_segments.h"
 #include "tests/unit/geometry/solid/mesh_measures.h"
@@ -18,14 +19,6 @@ namespace latticast {
 namespace {
 
 using Surface = std::function<Point(double, double)>;
-
-Point difference(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 // From a point to the surface, by Gauss and Newton from a place (a, b) close to the foot.
 double distance(const Point& from, const Surface& surface, double a, double b) {
