@@ -17,7 +17,6 @@
 #include "export/atomic_file.h"
 #include "export/mesh/glb_file.h"
 #include "export/mesh/mesh_file.h"
-#include "export/mesh/ply_file.h"
 #include "export/mesh/three_mf_file.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/audit.h"
@@ -286,11 +285,7 @@ class Builder {
       const std::string file = part.stem + std::string(extension(format));
       const std::filesystem::path path = staging_.add(file);
       progress_.begin("writing " + file);
-      if (format == MeshFormat::ply && !part.colours.empty()) {
-        write_ply(path, solid.mesh, part.colours);
-      } else {
-        write_mesh(path, solid.mesh, format);
-      }
+      write_mesh(path, solid.mesh, format, part.colours);
       progress_.begin("proving " + file);
       TriangleMesh in_file = weld(read_mesh(path));
       // Most formats keep the mesh bit for bit: what was proved of one file holds for the next.

@@ -2,15 +2,14 @@
 #include "app/check_command.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <iterator>
-#include <string_view>
 #include <utility>
 
 #include "app/check_output.h"
 #include "app/design_input.h"
 #include "checks/check_design.h"
+#include "design/mesh_format.h"
 #if LATTICAST_HAS_GEOMETRY
 #include "checks/mesh_checks.h"
 #include "design/file_error.h"
@@ -19,16 +18,6 @@
 
 namespace latticast {
 namespace {
-
-constexpr std::array<std::string_view, 5> mesh_endings = {".stl", ".obj", ".ply", ".3mf", ".glb"};
-
-bool is_mesh(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 'a' - 'A') : c;
-  });
-  return std::find(mesh_endings.begin(), mesh_endings.end(), ending) != mesh_endings.end();
-}
 
 struct Checked {
   CheckFindings findings;
@@ -60,13 +49,14 @@ void check_mesh(const std::filesystem::path& file, const Console& console, Check
 }  // namespace
 
 ExitStatus run_check(const CheckArguments& arguments, const Console& console) {
-  if (std::count_if(arguments.files.begin(), arguments.files.end(), std::not_fn(is_mesh)) > 1) {
+  if (std::count_if(arguments.files.begin(), arguments.files.end(), std::not_fn(mesh_format_of)) >
+      1) {
     console.error("check takes one design at a time, beside any number of mesh files");
     return ExitStatus::invalid;
   }
   Checked checked;
   for (const std::filesystem::path& file : arguments.files) {
-    if (is_mesh(file)) {
+    if (mesh_format_of(file)) {
       check_mesh(file, console, checked);
       continue;
     }

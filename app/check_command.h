@@ -17,8 +17,8 @@ struct CheckArguments {
   std::string format = "table";  ///< table or json
 };
 
-/// latticast check: what will go wrong before plastic and silicone are spent. Files that end in
-/// .stl, .obj, .ply, .3mf or .glb are meshes, any other a design. Status check_failed when there is
+/// latticast check: what will go wrong before plastic and silicone are spent. Files with the
+/// suffix of a mesh format are meshes, any other a design. Status check_failed when there is
 /// an error, done when there are warnings and notes at most, file_error when a mesh cannot be read;
 /// the other files are checked all the same. Throws FileError for the design and its materials.
 ExitStatus run_check(const CheckArguments& arguments, const Console& console);

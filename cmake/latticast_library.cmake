@@ -6,6 +6,10 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 find_program(CCACHE ccache)
 if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  # Without these two liberties ccache stores nothing that uses a precompiled header.
+  if(NOT CMAKE_DISABLE_PRECOMPILE_HEADERS)
+    list(PREPEND CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_SLOPPINESS=pch_defines,time_macros)
+  endif()
 endif()
 
 add_library(latticast_settings INTERFACE)
@@ -16,6 +20,9 @@ target_compile_options(latticast_settings INTERFACE -Wall -Wextra -Wpedantic -Ws
 # straight-line code; mesh files and their audit depend on that rounding.
 target_compile_options(latticast_settings INTERFACE
                        $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>)
+# A cached precompiled header is as good as a new one.
+target_compile_options(latticast_settings INTERFACE
+                       "SHELL:$<$<CXX_COMPILER_ID:Clang>:-Xclang -fno-pch-timestamp>")
 if(LATTICAST_WARNINGS_AS_ERRORS)
   target_compile_options(latticast_settings INTERFACE -Werror)
 endif()
@@ -29,6 +36,16 @@ if(LATTICAST_FUZZ)
   target_compile_options(latticast_settings INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+# The standard library's headers, compiled once for all targets: they were most of what a small source cost. Sources
+# include what they use all the same: the preset dev, and with it clang-tidy, does without. Third-party headers stay out, so that
+# only their sources see them and settings like FMT_SHARED may differ between targets.
+file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/standard_headers.cpp" CONTENT "" @ONLY)
+add_library(latticast_standard_headers OBJECT EXCLUDE_FROM_ALL "${CMAKE_BINARY_DIR}/standard_headers.cpp")
+target_link_libraries(latticast_standard_headers PRIVATE latticast_settings)
+target_precompile_headers(latticast_standard_headers PRIVATE
+  <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint> <filesystem> <functional> <limits> <map> <memory> <numbers>
+  <numeric> <optional> <set> <span> <stdexcept> <string> <string_view> <utility> <variant> <vector>)
+
 # latticast_library(NAME SOURCES ... LINKS ... PRIVATE ...)
 #   LINKS:   targets of ours whose headers appear in this one's headers
 #   PRIVATE: third-party targets, seen by this target's sources alone
@@ -36,4 +53,5 @@ function(latticast_library NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE" ${ARGN})
   add_library(${NAME} STATIC ${ARG_SOURCES})
   target_link_libraries(${NAME} PUBLIC latticast_settings ${ARG_LINKS} PRIVATE ${ARG_PRIVATE})
+  target_precompile_headers(${NAME} REUSE_FROM latticast_standard_headers)
 endfunction()

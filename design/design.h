@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "design/material/material.h"
+#include "design/mesh_format.h"
 #include "design/strand_path.h"
 #include "design/units.h"
 
@@ -126,8 +127,6 @@ struct Make {
   std::optional<Preview> preview;
   bool report = false;
 };
-
-enum class MeshFormat { stl, obj, three_mf, ply, glb };
 
 struct Export {
   std::vector<MeshFormat> formats = {MeshFormat::stl};

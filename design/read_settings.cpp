@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -130,18 +132,15 @@ std::optional<Preview> read_preview(const Field& field, std::size_t segments) {
 }
 
 std::vector<MeshFormat> read_formats(const Field& field) {
-  constexpr Word<MeshFormat> words[] = {{"stl", MeshFormat::stl},
-                                        {"obj", MeshFormat::obj},
-                                        {"3mf", MeshFormat::three_mf},
-                                        {"ply", MeshFormat::ply},
-                                        {"glb", MeshFormat::glb}};
+  std::vector<Word<MeshFormat>> words;
+  for (const MeshFormatName& known : mesh_format_names) words.push_back({known.name, known.format});
   // A list without duplicates cannot be longer than the words; the bound leaves room to name each
   // duplicate.
   constexpr std::size_t longest = 20;
   std::vector<MeshFormat> formats;
   std::vector<std::string> seen;
   for (const Field& item : field.items(1, longest, R"(write formats = ["stl", "obj"])")) {
-    const MeshFormat format = item.word_or(MeshFormat::stl, words);
+    const MeshFormat format = item.word_or(MeshFormat::stl, std::span(std::as_const(words)));
     const std::string typed = item.is_text() ? *item.text() : "";
     if (std::find(seen.begin(), seen.end(), typed) != seen.end()) {
       item.refuse("must not be named twice", "leave it out");

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -70,6 +71,10 @@ class Field {
   /// The meaning of the one of `words` that is written; `fallback` when absent or refused.
   template <class Meaning, std::size_t n>
   Meaning word_or(Meaning fallback, const Word<Meaning> (&words)[n]) const {
+    return word_or(fallback, std::span<const Word<Meaning>>(words));
+  }
+  template <class Meaning>
+  Meaning word_or(Meaning fallback, std::span<const Word<Meaning>> words) const {
     std::vector<std::string> names;
     for (const Word<Meaning>& word : words) names.emplace_back(word.name);
     const std::optional<std::size_t> chosen = index_of_word(names);

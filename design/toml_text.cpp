@@ -135,7 +135,7 @@ std::string printable(std::string_view text, std::size_t longest) {
   return out;
 }
 
-std::string quoted(std::string_view text) {
+std::string toml_string(std::string_view text) {
   constexpr std::size_t longest_shown = 60;
   std::string escaped;
   for (const char c : text.substr(0, longest_shown + 4)) {
@@ -192,7 +192,7 @@ std::string written(const TomlValue& value) {
     std::string operator()(bool b) const { return b ? "true" : "false"; }
     std::string operator()(std::int64_t i) const { return fmt::format("{}", i); }
     std::string operator()(double x) const { return fmt::format("{}", x); }
-    std::string operator()(const std::string& s) const { return quoted(s); }
+    std::string operator()(const std::string& s) const { return toml_string(s); }
     std::string operator()(const TomlDate& date) const { return date.text; }
     std::string operator()(const TomlValue::List& list) const { return written_list(list); }
     std::string operator()(const TomlValue::Table& table) const {
@@ -209,7 +209,7 @@ std::string written_key(std::string_view key) {
   };
   const bool bare = !key.empty() && key.size() <= limits::name_bytes &&
                     std::all_of(key.begin(), key.end(), is_bare);
-  return bare ? std::string(key) : quoted(key);
+  return bare ? std::string(key) : toml_string(key);
 }
 
 }  // namespace latticast

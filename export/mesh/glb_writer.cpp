@@ -5,11 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
-
-#include <nlohmann/json.hpp>
 
 #include "export/atomic_file.h"
 #include "export/mesh/glb_file.h"
@@ -74,23 +71,11 @@ class SceneWriter {
     if (buffer().size() > std::numeric_limits<std::uint32_t>::max() / 2) {
       throw std::invalid_argument("a scene that is too large for a GLB file");
     }
-    return bytes();
+    return encode_glb_model(model_);
   }
 
  private:
   std::vector<unsigned char>& buffer() { return model_.buffers.front().data; }
-
-  std::string bytes() const {
-    std::ostringstream stream;
-    try {
-      if (tinygltf::TinyGLTF().WriteGltfSceneToStream(&model_, stream, false, true)) {
-        return std::move(stream).str();
-      }
-    } catch (const nlohmann::json::exception& error) {
-      throw std::invalid_argument(std::string("a scene with a bad name: ") + error.what());
-    }
-    throw std::runtime_error("a scene that cannot be put into GLB");
-  }
 
   void start() {
     model_.asset.version = "2.0";

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Mesh files of one mesh in mm. What is written can be read back bit for bit at float32.
+// Mesh file writer and reader: one mesh in mm, read back bit for bit at float32. mesh_formats.h
+// lists the formats.
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string_view>
 
-#include "design/design.h"
+#include "design/mesh_format.h"
+#include "export/colour.h"
 #include "geometry/mesh/triangle_mesh.h"
 
 namespace latticast {
-
-/// The format's file extension with its dot, as in ".stl".
-std::string_view extension(MeshFormat format);
 
 /// Writes a mesh, coordinates rounded to float32, triangles in order. The bytes depend on the mesh,
 /// for 3MF and GLB on the file's name without extension, which names the part, and for these on the
@@ -23,18 +23,20 @@ std::string_view extension(MeshFormat format);
 /// 3MF and GLB, which hold one part (write_three_mf and write_glb write several). Numbers are mm in
 /// all but GLB, whose root node turns them into its metres.
 ///
-/// Coordinates that are not finite are written as they are to STL, OBJ and PLY. Throws FileError,
-/// and std::invalid_argument for a mesh without triangles or with an index past its vertices, and
-/// for 3MF and GLB what write_three_mf and write_glb say.
-void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, MeshFormat format);
+/// Colours, one for each vertex, are kept by PLY. Coordinates that are not finite are written as
+/// they are where the format keeps them (MeshFileFormat). Throws FileError, and
+/// std::invalid_argument for a mesh without triangles or with an index past its vertices, and for
+/// 3MF and GLB what write_three_mf and write_glb say.
+void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, MeshFormat format,
+                std::span<const Colour> vertex_colours = {});
 
-/// Reads a mesh of triangles in mm from STL (binary or text), OBJ, PLY, 3MF or GLB, told apart by
-/// the extension; larger polygons become triangles. Nothing is joined, reordered or dropped,
-/// collapsed triangles and coordinates that are not finite included; several meshes in a file
-/// follow one another, placed as the file says. 3MF says its unit and GLB is in metres with y
-/// upward, which becomes mm with z upward; the numbers of the others are taken as mm. STL gives
-/// every triangle three vertices of its own (weld() shares them again). Coordinates are float32
-/// values, exactly those nearest to what the file says unless it moves or scales them.
+/// Reads a mesh of triangles in mm from a file of any format, told apart by the suffix; larger
+/// polygons become triangles. Nothing is joined, reordered or dropped, collapsed triangles and
+/// coordinates that are not finite included; several meshes in a file follow one another, placed as
+/// the file says. 3MF says its unit and GLB is in metres with y upward, which becomes mm with z
+/// upward; the numbers of the others are taken as mm. STL gives every triangle three vertices of
+/// its own (weld() shares them again). Coordinates are float32 values, exactly those nearest to
+/// what the file says unless it moves or scales them.
 ///
 /// Throws FileError for a file that cannot be opened, is empty, contradicts itself, holds no
 /// triangle, or is cut short (for OBJ only where that shows). Memory grows with the file's size,

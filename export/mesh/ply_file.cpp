@@ -14,10 +14,8 @@
 #include <utility>
 
 #include "design/file_error.h"
-#include "export/atomic_file.h"
 #include "export/mesh/line_reader.h"
 #include "export/mesh/little_endian.h"
-#include "export/mesh/mesh_checks.h"
 #include "export/mesh/ply_header.h"
 
 namespace latticast {
@@ -285,15 +283,6 @@ std::string encode_ply(const TriangleMesh& mesh, std::span<const Colour> colours
     }
   }
   return bytes;
-}
-
-void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh,
-               std::span<const Colour> colours) {
-  require_valid(mesh);
-  if (colours.size() != mesh.vertices.size()) {
-    throw std::invalid_argument("not one colour for each vertex of a mesh");
-  }
-  write_file_atomically(file, encode_ply(mesh, colours));
 }
 
 TriangleMesh decode_ply(const std::filesystem::path& file, std::string_view bytes) {

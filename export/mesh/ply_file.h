@@ -15,14 +15,8 @@ namespace latticast {
 /// The mesh as little-endian binary PLY: "vertex" with float x, y, z and, when `colours` are given,
 /// uchar red, green, blue (0 to 255, rounded; beyond that range cut off, NaN is 0); "face" with
 /// "list uchar int vertex_indices". Preconditions: valid indices below 2^31; no colours, or one for
-/// each vertex.
+/// each vertex. Programs shade the triangles between the colours of their corners.
 std::string encode_ply(const TriangleMesh& mesh, std::span<const Colour> colours = {});
-
-/// Writes encode_ply(mesh, colours); the file appears whole or not at all. Programs shade the
-/// triangles between the colours of their corners. Throws FileError, and std::invalid_argument for
-/// what write_mesh throws it for and another number of colours than vertices.
-void write_ply(const std::filesystem::path& file, const TriangleMesh& mesh,
-               std::span<const Colour> colours);
 
 /// The vertices (x, y, z of "vertex") and faces (the list vertex_indices or vertex_index of "face")
 /// of PLY, text or binary in either byte order, vertices shared as the file shares them. Faces of

@@ -130,32 +130,13 @@ class TextStlReader {
   bool in_facet_ = false;
 };
 
-}  // namespace
-
-std::string encode_stl(const TriangleMesh& mesh) {
-  std::string bytes(preamble_size + facet_size * mesh.triangles.size(), '\0');
-  header_text.copy(bytes.data(), header_text.size());
-  char* out = put_little_endian(bytes.data() + header_size, mesh.triangles.size(), 4);
-  for (const Triangle& triangle : mesh.triangles) {
-    const Vector a = rounded(mesh.vertices[triangle[0]]);
-    const Vector b = rounded(mesh.vertices[triangle[1]]);
-    const Vector c = rounded(mesh.vertices[triangle[2]]);
-    out = put_vector(out, unit_normal(a, b, c));
-    out = put_vector(out, a);
-    out = put_vector(out, b);
-    out = put_vector(out, c);
-    out += 2;  // the attribute count, zero
-  }
-  return bytes;
-}
-
-bool is_text_stl(std::string_view bytes) {
+bool is_text(std::string_view bytes) {
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   return start != std::string_view::npos && bytes.substr(start).starts_with("solid") &&
          !has_binary_length(bytes);
 }
 
-TriangleMesh decode_binary_stl(const std::filesystem::path& file, std::string_view bytes) {
+TriangleMesh decode_binary(const std::filesystem::path& file, std::string_view bytes) {
   if (bytes.size() < preamble_size) {
     throw FileError(file, "too short for an STL file");
   }
@@ -182,8 +163,27 @@ TriangleMesh decode_binary_stl(const std::filesystem::path& file, std::string_vi
   return mesh;
 }
 
-TriangleMesh decode_text_stl(const std::filesystem::path& file, std::string_view text) {
-  return TextStlReader(file, text).read();
+}  // namespace
+
+std::string encode_stl(const TriangleMesh& mesh) {
+  std::string bytes(preamble_size + facet_size * mesh.triangles.size(), '\0');
+  header_text.copy(bytes.data(), header_text.size());
+  char* out = put_little_endian(bytes.data() + header_size, mesh.triangles.size(), 4);
+  for (const Triangle& triangle : mesh.triangles) {
+    const Vector a = rounded(mesh.vertices[triangle[0]]);
+    const Vector b = rounded(mesh.vertices[triangle[1]]);
+    const Vector c = rounded(mesh.vertices[triangle[2]]);
+    out = put_vector(out, unit_normal(a, b, c));
+    out = put_vector(out, a);
+    out = put_vector(out, b);
+    out = put_vector(out, c);
+    out += 2;  // the attribute count, zero
+  }
+  return bytes;
+}
+
+TriangleMesh decode_stl(const std::filesystem::path& file, std::string_view bytes) {
+  return is_text(bytes) ? TextStlReader(file, bytes).read() : decode_binary(file, bytes);
 }
 
 }  // namespace latticast

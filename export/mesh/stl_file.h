@@ -15,17 +15,11 @@ namespace latticast {
 /// triangles.
 std::string encode_stl(const TriangleMesh& mesh);
 
-/// Whether the bytes are text STL rather than binary: they begin with "solid" and do not have the
-/// length that a binary file with their count would have (some programs begin binary files with
-/// "solid", too).
-bool is_text_stl(std::string_view bytes);
-
-/// The mesh in binary STL, three vertices to a triangle; the stored normals are not used. Throws
-/// FileError naming `file` unless the length is exactly what the triangle count asks for.
-TriangleMesh decode_binary_stl(const std::filesystem::path& file, std::string_view bytes);
-
-/// The mesh in text STL, all its solids, as above. Throws FileError naming `file` and the line of a
-/// statement that is unknown or out of place, and for a last solid without its end.
-TriangleMesh decode_text_stl(const std::filesystem::path& file, std::string_view text);
+/// The mesh in binary or text STL, all its solids, three vertices to a triangle; the stored normals
+/// are not used. Text begins with "solid" and does not have the length that a binary file with its
+/// count would have: some programs begin binary files with "solid", too. Throws FileError naming
+/// `file` unless a binary file is exactly as long as its triangle count asks for; for text with the
+/// line of a statement that is unknown or out of place, and for a last solid without its end.
+TriangleMesh decode_stl(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace latticast

@@ -73,7 +73,8 @@ TEST_F(BadMeshFile, EmptyOrGarbageInEveryFormat) {
   for (char& c : garbage) {
     c = static_cast<char>(random());
   }
-  for (const std::string extension : {".stl", ".obj", ".ply", ".3mf", ".glb"}) {
+  for (const MeshFormatName& known : mesh_format_names) {
+    const std::string extension(known.suffix);
     EXPECT_TRUE(says(complaint("a" + extension, ""), "is empty")) << extension;
     EXPECT_NE(complaint("b" + extension, garbage), "") << extension;
     EXPECT_NE(complaint("c" + extension, "solid"), "") << extension;

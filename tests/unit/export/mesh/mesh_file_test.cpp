@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "design/file_error.h"
+#include "export/mesh/mesh_formats.h"
 #include "geometry/mesh/weld.h"
 #include "tests/unit/export/mesh/compare_meshes.h"
 #include "tests/unit/export/mesh/example_meshes.h"
@@ -72,6 +73,12 @@ std::unique_ptr<aiScene> assimp_scene(const TriangleMesh& mesh, const aiVector3D
 }
 // NOLINTEND(clang-analyzer-cplusplus.NewDeleteLeaks)
 
+std::vector<MeshFormat> all_mesh_formats() {
+  std::vector<MeshFormat> formats;
+  for (const MeshFormatName& known : mesh_format_names) formats.push_back(known.format);
+  return formats;
+}
+
 class MeshFile : public testing::TestWithParam<MeshFormat> {
  protected:
   std::filesystem::path file(const std::string& name) const {
@@ -80,9 +87,7 @@ class MeshFile : public testing::TestWithParam<MeshFormat> {
   TestFolder folder_;
 };
 
-INSTANTIATE_TEST_SUITE_P(Written, MeshFile,
-                         testing::Values(MeshFormat::stl, MeshFormat::obj, MeshFormat::ply,
-                                         MeshFormat::three_mf, MeshFormat::glb),
+INSTANTIATE_TEST_SUITE_P(Written, MeshFile, testing::ValuesIn(all_mesh_formats()),
                          [](const auto& instance) {
                            return std::string(extension(instance.param).substr(1));
                          });
@@ -93,16 +98,11 @@ TEST_P(MeshFile, ReadsBackBitForBit) {
   expect_same_corners(read_mesh(file("a")), mesh);
 }
 
-/// 3MF and GLB have no infinity and no NaN.
-bool holds_every_float(MeshFormat format) {
-  return format != MeshFormat::three_mf && format != MeshFormat::glb;
-}
-
 TEST_P(MeshFile, ReadsBackEveryFloat) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     TriangleMesh mesh = any_floats(seed);
-    if (!holds_every_float(GetParam())) {
+    if (!mesh_file_format(GetParam()).keeps_infinite) {
       EXPECT_THROW(write_mesh(file("a"), mesh, GetParam()), std::invalid_argument);
       for (Point& point : mesh.vertices) {
         for (double& x : point) {
@@ -120,7 +120,7 @@ TEST_P(MeshFile, KeepsNumberingOfHardMeshes) {
     write_mesh(file("a"), mesh, GetParam());
     const TriangleMesh read = read_mesh(file("a"));
     expect_same_corners(read, mesh);
-    if (GetParam() != MeshFormat::stl) {
+    if (mesh_file_format(GetParam()).keeps_vertex_numbers) {
       expect_same_mesh(read, mesh);
     }
   }
@@ -147,7 +147,7 @@ TEST_P(MeshFile, BytesDependOnTheMeshAlone) {
   }
   EXPECT_EQ(bytes_of(file("first/a")), bytes_of(file("second/a")));
   write_mesh(file("b"), torus(40, 12), GetParam());
-  const bool named = GetParam() == MeshFormat::three_mf || GetParam() == MeshFormat::glb;
+  const bool named = mesh_file_format(GetParam()).keeps_part_name;
   EXPECT_EQ(bytes_of(file("first/a")) == bytes_of(file("b")), !named);
   EXPECT_EQ(folder_.names().size(), 3U);  // two folders, a file and no other
 }

@@ -75,7 +75,7 @@ TEST(PlyFile, AssimpReadsTheSameColours) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     colours.push_back({static_cast<double>(i) / 255, static_cast<double>(2 * i) / 255, 1});
   }
-  write_ply(folder / "a.ply", mesh, colours);
+  write_mesh(folder / "a.ply", mesh, MeshFormat::ply, colours);
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile((folder / "a.ply").string(), 0);
   ASSERT_NE(scene, nullptr) << importer.GetErrorString();
@@ -93,8 +93,8 @@ TEST(PlyFile, AssimpReadsTheSameColours) {
 TEST(PlyFile, NeedsAColourForEachVertex) {
   const TestFolder folder;
   const std::vector<Colour> colours(3);
-  EXPECT_THROW(write_ply(folder / "a.ply", tetrahedron(), colours), std::invalid_argument);
-  EXPECT_THROW(write_ply(folder / "a.ply", tetrahedron(), {}), std::invalid_argument);
+  EXPECT_THROW(write_mesh(folder / "a.ply", tetrahedron(), MeshFormat::ply, colours),
+               std::invalid_argument);
   EXPECT_TRUE(folder.names().empty());
 }
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Table of mesh file formats: the writer and the reader of each, and what it keeps of a mesh.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "design/mesh_format.h"
+#include "export/colour.h"
+#include "geometry/mesh/triangle_mesh.h"
+
+namespace latticast {
+
+/// A mesh on its way into a file. It refers to what it was made from.
+struct MeshToWrite {
+  const TriangleMesh& mesh;                ///< in mm, its indices valid
+  std::string_view name;                   ///< of the part
+  std::span<const Colour> vertex_colours;  ///< one for each vertex, or none
+};
+
+struct MeshFileFormat {
+  MeshFormat format;
+  std::string (*encode)(const MeshToWrite& part);  ///< leaves out what the format does not keep
+  TriangleMesh (*decode)(const std::filesystem::path& file, std::string_view bytes);
+  bool keeps_vertex_numbers;  ///< otherwise every triangle has three vertices of its own
+  bool keeps_infinite;        ///< infinite coordinates and those that are no number; else refused
+  bool keeps_part_name;
+};
+
+/// The row of a format.
+const MeshFileFormat& mesh_file_format(MeshFormat format);
+
+}  // namespace latticast
