@@ -11,7 +11,7 @@
 
 namespace latticast {
 
-enum class MeshFormat { stl, obj, three_mf, ply, glb };
+enum class MeshFormat { stl, obj, three_mf, ply, glb, off };
 
 struct MeshFormatName {
   MeshFormat format;
@@ -26,6 +26,7 @@ inline constexpr std::array mesh_format_names = {
     MeshFormatName{MeshFormat::three_mf, "3mf", ".3mf"},
     MeshFormatName{MeshFormat::ply, "ply", ".ply"},
     MeshFormatName{MeshFormat::glb, "glb", ".glb"},
+    MeshFormatName{MeshFormat::off, "off", ".off"},
 };
 
 /// The suffix of a format's files with its dot, as in ".stl".

@@ -7,6 +7,7 @@
 
 #include "export/mesh/glb_file.h"
 #include "export/mesh/obj_file.h"
+#include "export/mesh/off_file.h"
 #include "export/mesh/ply_file.h"
 #include "export/mesh/stl_file.h"
 #include "export/mesh/three_mf_file.h"
@@ -55,6 +56,12 @@ constexpr std::array formats = {
                    .keeps_vertex_numbers = true,
                    .keeps_infinite = false,
                    .keeps_part_name = true},
+    MeshFileFormat{.format = MeshFormat::off,
+                   .encode = [](const MeshToWrite& part) { return encode_off(part.mesh); },
+                   .decode = decode_off,
+                   .keeps_vertex_numbers = true,
+                   .keeps_infinite = true,
+                   .keeps_part_name = false},
 };
 static_assert(formats.size() == mesh_format_names.size());
 

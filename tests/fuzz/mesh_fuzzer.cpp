@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Feeds bytes to the readers of STL, OBJ, PLY and GLB; the first byte chooses which. What they
+// Feeds bytes to the readers of STL, OBJ, PLY, GLB and OFF; the first byte chooses which. What they
 // accept must be a mesh that can be welded, and written and read again without a change.
 #include <algorithm>
 #include <array>
@@ -12,6 +12,7 @@
 #include "design/file_error.h"
 #include "export/mesh/mesh_file.h"
 #include "export/mesh/obj_file.h"
+#include "export/mesh/off_file.h"
 #include "export/mesh/ply_file.h"
 #include "export/mesh/stl_file.h"
 #include "geometry/mesh/weld.h"
@@ -51,7 +52,7 @@ void require_valid(const TriangleMesh& mesh) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const std::string_view bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
-  constexpr std::array names{"fuzzed.stl", "fuzzed.obj", "fuzzed.ply", "fuzzed.glb"};
+  constexpr std::array names{"fuzzed.stl", "fuzzed.obj", "fuzzed.ply", "fuzzed.glb", "fuzzed.off"};
   TriangleMesh mesh;
   try {
     mesh = read_mesh_bytes(names[data[0] % names.size()], bytes);
@@ -62,6 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require_valid(weld(mesh));
   require_same_corners(mesh, read_mesh_bytes("again.stl", encode_stl(mesh)));
   require_same_corners(mesh, read_mesh_bytes("again.obj", encode_obj(mesh)));
+  require_same_corners(mesh, read_mesh_bytes("again.off", encode_off(mesh)));
   require_same_corners(mesh, read_mesh_bytes("again.ply", encode_ply(mesh)));
   return 0;
 }
