@@ -89,7 +89,7 @@ ScaledState PlainPath::scaled(const State& state) const {
 /// Where the wall's energy may come close to a singularity at the bore: it closes, or a Gent rubber
 /// is stretched to its limit.
 bool PlainPath::is_singular(double pressure_mpa) const {
-  return pressure_mpa < 0 || std::holds_alternative<Gent>(section_.liner_law);
+  return pressure_mpa < 0 || std::isfinite(first_invariant_limit(section_.liner_law));
 }
 
 Quadrature PlainPath::points(const Points& count, double pressure_mpa) const {

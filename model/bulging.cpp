@@ -25,15 +25,14 @@ constexpr int heights = 24;
 constexpr int most_iterations = 40;
 constexpr int wall_points = 6;
 
-/// 2 dW/dI1: Cauchy stress differences are this times differences of squared stretches.
-double rubber_modulus(const Law& law, double j) {
-  if (const auto* linear = std::get_if<Linear>(&law)) return linear->youngs_modulus_mpa / 3;
-  if (const auto* rubber = std::get_if<NeoHookean>(&law)) return rubber->shear_modulus_mpa;
-  if (const auto* rubber = std::get_if<Yeoh>(&law)) {
-    return 2 * (rubber->c1_mpa + j * (2 * rubber->c2_mpa + 3 * j * rubber->c3_mpa));
-  }
-  const auto& gent = std::get<Gent>(law);
-  return j < gent.limit_jm ? gent.shear_modulus_mpa / (1 - j / gent.limit_jm) : HUGE_VAL;
+/// (sigma_n - sigma_r)/(s_n^2 - s_r^2), n across the gap and r across the wall, in the plane of
+/// these two; 2 dW/dI1 where the law depends on I1 = `j` + 3 alone. What shears the plane of the
+/// wall counts as distortion of this one, so that I1 is that of the wall.
+double rubber_modulus(const Law& law, double stretch_squared, double across_squared, double j) {
+  if (!(j < first_invariant_limit(law))) return HUGE_VAL;
+  InPlaneStretch at{std::sqrt(stretch_squared * across_squared) - 1, 0};
+  at.distortion = std::max(0.0, j - first_invariant_minus_3(at).value);
+  return 2 * energy_density(law, at).by_distortion;
 }
 
 /// The strip after it has become `longer` times as long across the gap, its edges held.
@@ -46,7 +45,8 @@ struct Stretched {
         thickness_mm(patch.thickness_mm / longer) {
     const double more = stretch_squared - patch.stretch_squared + across_squared -
                         patch.across_wall * patch.across_wall;
-    modulus_mpa = rubber_modulus(patch.law, patch.invariant_minus_3 + more);
+    modulus_mpa =
+        rubber_modulus(patch.law, stretch_squared, across_squared, patch.invariant_minus_3 + more);
   }
 
   double tension() const { return modulus_mpa * (stretch_squared - across_squared) * thickness_mm; }

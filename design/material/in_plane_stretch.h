@@ -25,6 +25,24 @@ struct EnergyDensity {
   double by_distortion_distortion = 0;
 };
 
+constexpr EnergyDensity operator+(const EnergyDensity& a, const EnergyDensity& b) {
+  return {.value = a.value + b.value,
+          .by_area = a.by_area + b.by_area,
+          .by_distortion = a.by_distortion + b.by_distortion,
+          .by_area_area = a.by_area_area + b.by_area_area,
+          .by_area_distortion = a.by_area_distortion + b.by_area_distortion,
+          .by_distortion_distortion = a.by_distortion_distortion + b.by_distortion_distortion};
+}
+
+constexpr EnergyDensity operator*(double factor, const EnergyDensity& w) {
+  return {.value = factor * w.value,
+          .by_area = factor * w.by_area,
+          .by_distortion = factor * w.by_distortion,
+          .by_area_area = factor * w.by_area_area,
+          .by_area_distortion = factor * w.by_area_distortion,
+          .by_distortion_distortion = factor * w.by_distortion_distortion};
+}
+
 /// I1 - 3 with its derivatives. Free of differences of nearly equal numbers: full relative accuracy
 /// down to rest.
 constexpr EnergyDensity first_invariant_minus_3(const InPlaneStretch& at) {

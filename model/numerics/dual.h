@@ -76,6 +76,33 @@ constexpr Dual<N> chain(const Dual<N>& x, double f, double f1, double f2) {
   return result;
 }
 
+/// A function of two numbers with its partial derivatives at one place.
+struct TwoVariableJet {
+  double value = 0;
+  double by_x = 0;
+  double by_y = 0;
+  double by_xx = 0;
+  double by_xy = 0;
+  double by_yy = 0;
+};
+
+/// f(x, y), given `f` at (x.value, y.value).
+template <std::size_t N>
+constexpr Dual<N> chain(const Dual<N>& x, const Dual<N>& y, const TwoVariableJet& f) {
+  Dual<N> result(f.value);
+  std::size_t pair = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    result.gradient[i] = f.by_x * x.gradient[i] + f.by_y * y.gradient[i];
+    const double to_x = f.by_xx * x.gradient[i] + f.by_xy * y.gradient[i];
+    const double to_y = f.by_xy * x.gradient[i] + f.by_yy * y.gradient[i];
+    for (std::size_t j = i; j < N; ++j, ++pair) {
+      result.hessian[pair] = f.by_x * x.hessian[pair] + f.by_y * y.hessian[pair] +
+                             to_x * x.gradient[j] + to_y * y.gradient[j];
+    }
+  }
+  return result;
+}
+
 template <std::size_t N>
 constexpr Dual<N> operator+(Dual<N> x, const Dual<N>& y) {
   return x += y;
@@ -127,6 +154,9 @@ constexpr Dual<N> operator*(const Dual<N>& x, const Dual<N>& y) {
 }
 
 /// x^2.
+constexpr double square(double x) {
+  return x * x;
+}
 template <std::size_t N>
 constexpr Dual<N> square(const Dual<N>& x) {
   return chain(x, x.value * x.value, 2 * x.value, 2);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <variant>
 
 namespace latticast {
 namespace {
@@ -75,60 +74,50 @@ Kinematics<Number> kinematics(const Section& section, const std::array<Number, 5
           section.inner_radius_mm};
 }
 
-/// I1 - 3 = b + c + 1/(b c) - 3 + (k r)^2 with b = 1 + hoop, c = 1 + axial, brought to a form whose
-/// every term is of second order in the strains.
+/// How the wall is stretched within its own plane: area = (r/R) Lambda - 1, distortion =
+/// (r/R - Lambda)^2 + (k r)^2.
 template <class Number>
-Number first_invariant_minus_3(const Number& x, const Number& y, const Number& shear) {
-  const Number xy = x * y;
-  const Number sum = x + y;
-  return (sum * sum - xy + sum * xy) / (sum + xy + 1.0) + shear * shear * (x + 1.0);
-}
+struct WallPlane {
+  Number area;
+  Number distortion;
 
-template <class Number>
-Number energy_density(const NeoHookean& law, const Number& j) {
-  return j * (0.5 * law.shear_modulus_mpa);
-}
+  WallPlane(const Number& hoop_strain, const Number& elongation, const Number& shear_squared)
+      : area(hoop_strain * elongation + hoop_strain + elongation),
+        distortion(square(hoop_strain - elongation) + shear_squared) {}
+};
 
-template <class Number>
-Number energy_density(const Yeoh& law, const Number& j) {
-  return j * (j * (j * law.c3_mpa + law.c2_mpa) + law.c1_mpa);
-}
-
-template <class Number>
-Number energy_density(const Gent& law, const Number& j) {
-  return log1p(j * (-1 / law.limit_jm)) * (-0.5 * law.shear_modulus_mpa * law.limit_jm);
-}
-
-template <class Number>
-Number energy_density(const Linear&, const Number&) {
-  return Number(0);  // prepare_section lets no such liner through
-}
-
-/// The liner law decides once, outside the loop over points.
+/// The law is evaluated in plain numbers and chained, so that none of it is compiled for every set
+/// of unknowns.
 template <bool bent, class Number>
 Number liner_energy(const Section& section, const Quadrature& quadrature,
                     const Kinematics<Number>& q) {
-  return std::visit(
-      [&](const auto& law) {
-        Number sum(0);
-        for (const auto& [radius, weight] : quadrature.liner) {
-          const double share = weight * section.isotropic_fraction;
-          const Number shear = q.twist * radius;
-          if constexpr (bent) {
-            const AtRadius<bent, Number> at(q, radius);
-            for (const Direction& direction : quadrature.around) {
-              const Number e = at.elongation(q, direction.cosine, direction.sine);
-              const Number j = first_invariant_minus_3(at.hoop, e * (e + 2.0), shear);
-              sum += energy_density(law, j) * (share * direction.weight);
-            }
-          } else {
-            const Number j = first_invariant_minus_3(q.hoop(radius), q.axial, shear);
-            sum += energy_density(law, j) * share;
-          }
-        }
-        return sum;
-      },
-      section.liner_law);
+  Number sum(0);
+  for (const auto& [radius, weight] : quadrature.liner) {
+    const AtRadius<bent, Number> at(q, radius);
+    const Number shear_squared = square((at.hoop_strain + 1.0) * (q.twist * radius));
+    const auto add = [&](const Number& elongation, double share) {
+      const WallPlane<Number> plane(at.hoop_strain, elongation, shear_squared);
+      const EnergyDensity w =
+          energy_density(section.liner_law, {plane.area.value, plane.distortion.value});
+      sum += chain(plane.area, plane.distortion,
+                   {.value = w.value,
+                    .by_x = w.by_area,
+                    .by_y = w.by_distortion,
+                    .by_xx = w.by_area_area,
+                    .by_xy = w.by_area_distortion,
+                    .by_yy = w.by_distortion_distortion}) *
+             share;
+    };
+    const double share = weight * section.isotropic_fraction;
+    if constexpr (bent) {
+      for (const Direction& direction : quadrature.around) {
+        add(at.elongation(q, direction.cosine, direction.sine), share * direction.weight);
+      }
+    } else {
+      add(q.elongation, share);
+    }
+  }
+  return sum;
 }
 
 /// |F A|^2 - 1 of a strand of this family where Lambda - 1 is `elongation`. With A = (c, s) around
@@ -162,6 +151,30 @@ Number strand_energy_density(const StrandFamily& family, double stretch_modulus,
   return energy;
 }
 
+bool is_averaged(const StrandFamily& family, const Quadrature& quadrature) {
+  return family.averaged || quadrature.average_strands;
+}
+
+/// Strands of a bent section, or directions where they are averaged around the tube.
+std::size_t place_count(const StrandFamily& family, const Quadrature& quadrature) {
+  return is_averaged(family, quadrature) ? quadrature.around.size() : family.strands.size();
+}
+
+struct StraightStrand {
+  double cosine, sine, stretch_modulus_mpa, joint_modulus_mpa;
+};
+
+StraightStrand straight_strand(const StrandFamily& family, const Quadrature& quadrature,
+                               std::size_t place) {
+  if (is_averaged(family, quadrature)) {
+    const Direction& d = quadrature.around[place];
+    return {d.cosine, d.sine, family.stretch_modulus_mpa * d.weight,
+            family.joint_modulus_mpa * d.weight};
+  }
+  const StrandPlace& strand = family.strands[place];
+  return {strand.cosine, strand.sine, strand.stretch_modulus_mpa, strand.joint_modulus_mpa};
+}
+
 template <bool bent, class Number>
 Number family_energy_density(const StrandFamily& family, const Quadrature& quadrature,
                              const Kinematics<Number>& q, const AtRadius<bent, Number>& at) {
@@ -170,19 +183,11 @@ Number family_energy_density(const StrandFamily& family, const Quadrature& quadr
                                  at, q.elongation, q.axial);
   }
   Number sum(0);
-  const auto add = [&](double cosine, double sine, double stretch_modulus, double joint_modulus) {
-    const Number e = at.elongation(q, cosine, sine);
-    sum += strand_energy_density(family, stretch_modulus, joint_modulus, q, at, e, e * (e + 2.0));
-  };
-  if (family.averaged || quadrature.average_strands) {
-    for (const Direction& d : quadrature.around) {
-      add(d.cosine, d.sine, family.stretch_modulus_mpa * d.weight,
-          family.joint_modulus_mpa * d.weight);
-    }
-  } else {
-    for (const StrandPlace& strand : family.strands) {
-      add(strand.cosine, strand.sine, strand.stretch_modulus_mpa, strand.joint_modulus_mpa);
-    }
+  for (std::size_t i = 0; i < place_count(family, quadrature); ++i) {
+    const StraightStrand strand = straight_strand(family, quadrature, i);
+    const Number e = at.elongation(q, strand.cosine, strand.sine);
+    sum += strand_energy_density(family, strand.stretch_modulus_mpa, strand.joint_modulus_mpa, q,
+                                 at, e, e * (e + 2.0));
   }
   return sum;
 }
@@ -206,8 +211,19 @@ Number lattice_energy(const Section& section, const Quadrature& quadrature,
 /// Visits the places of a horseshoe family: law, direction, and how many strands are there.
 template <bool bent, class Visit>
 void for_each_place(const StrandFamily& family, const Quadrature& quadrature, const Visit& visit) {
-  const auto count = static_cast<double>(family.strands.size());
-  if (!bent) {
+  if constexpr (bent) {
+    const bool averaged = is_averaged(family, quadrature);
+    const auto count = static_cast<double>(family.strands.size());
+    for (std::size_t i = 0; i < place_count(family, quadrature); ++i) {
+      const StrandPlace& strand = family.strands[averaged ? 0 : i];
+      Direction direction{strand.cosine, strand.sine, 1};
+      if (averaged) {
+        direction = quadrature.around[i];
+        direction.weight *= count;
+      }
+      visit(*strand.law, direction);
+    }
+  } else {
     // Direction does not matter: strands of one law, successive ones, are taken together.
     for (auto first = family.strands.begin(); first != family.strands.end();) {
       const auto last = std::find_if(first, family.strands.end(), [&](const StrandPlace& strand) {
@@ -215,14 +231,6 @@ void for_each_place(const StrandFamily& family, const Quadrature& quadrature, co
       });
       visit(*first->law, Direction{1, 0, static_cast<double>(last - first)});
       first = last;
-    }
-  } else if (family.averaged || quadrature.average_strands) {
-    for (const Direction& d : quadrature.around) {
-      visit(*family.strands.front().law, Direction{d.cosine, d.sine, d.weight * count});
-    }
-  } else {
-    for (const StrandPlace& strand : family.strands) {
-      visit(*strand.law, Direction{strand.cosine, strand.sine, 1});
     }
   }
 }
@@ -373,19 +381,22 @@ SectionEnergy cavity_growth(const Section& section, const Deformation& at) {
 }
 
 double stretch_limit_used(const Section& section, const Deformation& at) {
-  const auto* gent = std::get_if<Gent>(&section.liner_law);
-  if (gent == nullptr) return 0;
+  const double limit = first_invariant_limit(section.liner_law);
+  if (std::isinf(limit)) return 0;
   const auto q = kinematics<double>(section, numbers(at));
   const double bend = std::hypot(at.bend_1, at.bend_2);
   double largest = 0;
   for (const double radius : {section.isotropic_from_mm, section.isotropic_to_mm}) {
-    const double hoop = q.hoop(radius);
-    const double lift = bend * radius * std::sqrt(std::max(0.0, 1 + hoop));
+    const AtRadius<false, double> ring(q, radius);
+    const double stretch = 1 + ring.hoop_strain;
+    const double shear = stretch * at.twist * radius;
+    const double lift = bend * radius * stretch;
     for (const double e : {at.elongation - lift, at.elongation + lift}) {
-      largest = std::max(largest, first_invariant_minus_3(hoop, e * (e + 2), at.twist * radius));
+      const WallPlane<double> plane(ring.hoop_strain, e, shear * shear);
+      largest = std::max(largest, first_invariant_minus_3({plane.area, plane.distortion}).value);
     }
   }
-  return largest / gent->limit_jm;
+  return largest / limit;
 }
 
 std::optional<HorseshoeStrain> most_strained_horseshoe(const Section& section,

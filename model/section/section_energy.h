@@ -45,8 +45,8 @@ std::array<double, coordinate_count> law_error(const Section& section, const Qua
 /// what the pressure works on.
 SectionEnergy cavity_growth(const Section& section, const Deformation& at);
 
-/// How much of its stretch limit a Gent liner uses, (I1 - 3)/Jm where it is largest; below 1 for
-/// every state that can exist. 0 for other laws.
+/// How much of its law's stretch limit the liner uses, (I1 - 3)/Jm where it is largest; below 1 for
+/// every state that can exist. 0 for laws without such a limit.
 double stretch_limit_used(const Section& section, const Deformation& at);
 
 /// Strains of the horseshoe strand that is nearest to an end of its law's range, and that range.

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <functional>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "design/material_library.h"
 #include "tests/unit/design/material/literal_laws.h"
 
 namespace latticast::testing {
@@ -142,6 +144,46 @@ TEST(Laws, ScalingIsProportional) {
     const Law stiffer = scaled(law, 1.7);
     EXPECT_NEAR(energy_density(stiffer, at).value, 1.7 * energy_density(law, at).value, 1e-15);
     EXPECT_EQ(first_invariant_limit(stiffer), first_invariant_limit(law));
+  }
+}
+
+TEST(Laws, FaultsBetweenConstantsAreNamed) {
+  for (const Law& law : example_rubbers()) EXPECT_EQ(law_fault(law), "") << law_text(law);
+  for (const FaultyLaw& faulty : faulty_laws()) {
+    EXPECT_NE(law_fault(faulty.law).find(faulty.reason), std::string::npos)
+        << law_text(faulty.law) << ": " << law_fault(faulty.law);
+  }
+  // A constant that was refused by itself is not blamed twice.
+  EXPECT_EQ(law_fault(NeoHookean{std::nan("")}), "");
+}
+
+std::string written(const Law& law) {
+  std::string text = fmt::format("[written]\nlaw = \"{}\"\nsource = \"a test\"\n", law_name(law));
+  for (const LawConstant& constant : constants_of(law)) {
+    text += constant.is_list
+                ? fmt::format("{} = [{}]\n", constant.key, fmt::join(constant.values, ", "))
+                : fmt::format("{} = {}\n", constant.key, constant.values.front());
+  }
+  return text;
+}
+
+TEST(Laws, AreReadAsTheyAreWritten) {
+  std::vector<Law> laws = example_rubbers();
+  laws.emplace_back(Linear{19.46, 0.3});
+  for (const Law& law : laws) {
+    MaterialLibrary library;
+    for (const Issue& issue : add_materials(written(law), library)) {
+      ADD_FAILURE() << describe(issue, written(law));
+    }
+    ASSERT_EQ(library.count("written"), 1U) << written(law);
+    EXPECT_EQ(written(library.at("written").law), written(law));
+  }
+}
+
+TEST(Laws, FaultsAreRefusedWhereTheyAreWritten) {
+  for (const FaultyLaw& faulty : faulty_laws()) {
+    MaterialLibrary library;
+    EXPECT_FALSE(add_materials(written(faulty.law), library).empty()) << written(faulty.law);
   }
 }
 

@@ -46,9 +46,19 @@ inline long double literal_energy(const Law& law, const Stretches& stretches) {
   return std::visit(LiteralEnergy{stretches}, law);
 }
 
-/// At least one of every rubber.
+/// At least one of every rubber, single terms of either sign included where the law has several.
 inline std::vector<Law> example_rubbers() {
   return {NeoHookean{0.08}, Yeoh{0.04, -0.002, 0.0003}, Gent{0.08, 12}};
+}
+
+/// Constants that must be refused, and a word that the reason must hold.
+struct FaultyLaw {
+  Law law;
+  const char* reason;
+};
+
+inline std::vector<FaultyLaw> faulty_laws() {
+  return {{NeoHookean{-0.08}, "modulus at rest"}, {Yeoh{-0.04, 1, 1}, "modulus at rest"}};
 }
 
 }  // namespace latticast::testing

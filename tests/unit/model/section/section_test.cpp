@@ -10,6 +10,7 @@
 
 #include "model/section/section_energy.h"
 #include "model/section/section_reading.h"
+#include "tests/unit/design/material/literal_laws.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {
@@ -40,15 +41,14 @@ Tensor deformation_gradient(const Vector& q, Real inner, Real radius) {
   return {{Vector{radius / (r * q[0]), 0, 0}, Vector{0, r / radius, q[1] * r}, Vector{0, 0, q[0]}}};
 }
 
+/// Principal stretches by the eigenvalues of F F^T in the plane of the wall.
 Real rubber(const Law& law, const Tensor& f) {
-  Real j = -3;
-  for (const Vector& row : f.row) j += dot(row, row);
-  if (const auto* m = std::get_if<NeoHookean>(&law)) return m->shear_modulus_mpa / 2 * j;
-  if (const auto* m = std::get_if<Yeoh>(&law)) {
-    return m->c1_mpa * j + m->c2_mpa * j * j + m->c3_mpa * j * j * j;
-  }
-  const auto& m = std::get<Gent>(law);
-  return -m.shear_modulus_mpa * m.limit_jm / 2 * std::log(1 - j / m.limit_jm);
+  const Real around = dot(f.row[1], f.row[1]);
+  const Real along = dot(f.row[2], f.row[2]);
+  const Real mean = (around + along) / 2;
+  const Real larger = std::sqrt(mean + std::hypot((around - along) / 2, dot(f.row[1], f.row[2])));
+  const Real across = f.row[0][0];
+  return literal_energy(law, {larger, 1 / (larger * across), across});
 }
 
 /// Paper (3) and (4) for one strand family; theta_t by the paper's arccos.
