@@ -76,6 +76,8 @@ constexpr std::array codes = {
               "the liner is stretched beyond its elongation at break"},
     CheckCode{"liner-law-exceeded", Severity::warning,
               "the liner is stretched beyond the range of its law"},
+    CheckCode{"liner-law-unstable", Severity::warning,
+              "the liner is stretched to where its law loses Drucker's stability"},
     CheckCode{"strand-overstrained", Severity::error,
               "a strand or ring is strained beyond its elongation at break"},
     CheckCode{"strand-law-exceeded", Severity::warning,

@@ -11,6 +11,7 @@
 #include <fmt/core.h>
 
 #include "checks/strand_stations.h"
+#include "design/material/drucker.h"
 #include "model/horseshoe/horseshoe_fibre.h"
 #include "model/horseshoe/horseshoe_strands.h"
 #include "model/shape/inflated_wall.h"
@@ -112,12 +113,36 @@ void check_material(const LoadedSegment& loaded, const Material& material,
   }
 }
 
+/// Beyond the stretch at which the law loses Drucker's stability, its constants say more than the
+/// tests that they were fitted to.
+void check_law_stability(const LoadedSegment& loaded, CheckFindings& findings) {
+  const Segment& segment = *loaded.segment;
+  const Law& law = segment.liner.material.law;
+  const auto strain = [&](const State& state) { return liner_strain(segment, state); };
+  double largest = 0;
+  for (const State* state : loaded.states()) largest = std::max(largest, strain(*state));
+  const auto loss = drucker_loss(law, 1 + largest);
+  if (!loss) return;
+  const Measure measure{"liner-law-unstable", "liner", "", loss->stretch - 1, true, strain};
+  const auto beyond = excess(loaded, measure);
+  if (!beyond) return;
+  CheckFinding finding = finding_of(loaded, measure, *beyond);
+  finding.message = fmt::format(
+      "is strained by {:.3g} at {:.4g} kPa; its law ({}) is stable in {} only up to {:.3g}, which "
+      "is reached at {:.3g} kPa: beyond, more strain takes less stress",
+      beyond->worst, beyond->worst_kpa, law_name(law), loss->test, measure.limit, beyond->from_kpa);
+  finding.remedy = pressure_remedy(beyond->safe_kpa) +
+                   ", or constants that are fitted to uniaxial, planar and equibiaxial tests";
+  findings.push_back(std::move(finding));
+}
+
 void check_liner(const LoadedSegment& loaded, CheckFindings& findings) {
   const Segment& segment = *loaded.segment;
   const Material& material = segment.liner.material;
   check_material(
       loaded, material, {"liner-overstrained", "liner-law-exceeded"}, "liner",
       [&](const State& state) { return liner_strain(segment, state); }, findings);
+  check_law_stability(loaded, findings);
   if (std::isinf(first_invariant_limit(material.law))) return;
   const Measure use{
       "liner-law-exceeded", "liner", "of Jm",
