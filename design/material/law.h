@@ -11,12 +11,13 @@
 
 #include "design/material/gent.h"
 #include "design/material/linear.h"
+#include "design/material/mooney.h"
 #include "design/material/neo_hookean.h"
 #include "design/material/yeoh.h"
 
 namespace latticast {
 
-using Law = std::variant<Linear, NeoHookean, Yeoh, Gent>;
+using Law = std::variant<Linear, NeoHookean, Yeoh, Gent, Mooney>;
 
 /// What a law must answer:
 ///   name, keys              how the design file calls it and its constants

@@ -39,6 +39,9 @@ struct LiteralEnergy {
     const long double limit = law.limit_jm;
     return -law.shear_modulus_mpa * limit / 2 * std::log(1 - first_invariant() / limit);
   }
+  long double operator()(const Mooney& law) const {
+    return law.c10_mpa * first_invariant() + law.c01_mpa * (sum_of_powers(stretches, -2) - 3);
+  }
 };
 
 /// In MPa. Precondition: the product of the stretches is 1.
@@ -48,7 +51,8 @@ inline long double literal_energy(const Law& law, const Stretches& stretches) {
 
 /// At least one of every rubber, single terms of either sign included where the law has several.
 inline std::vector<Law> example_rubbers() {
-  return {NeoHookean{0.08}, Yeoh{0.04, -0.002, 0.0003}, Gent{0.08, 12}};
+  return {NeoHookean{0.08}, Yeoh{0.04, -0.002, 0.0003}, Gent{0.08, 12}, Mooney{0.03, 0.01},
+          Mooney{0.05, -0.005}};
 }
 
 /// Constants that must be refused, and a word that the reason must hold.
@@ -58,7 +62,9 @@ struct FaultyLaw {
 };
 
 inline std::vector<FaultyLaw> faulty_laws() {
-  return {{NeoHookean{-0.08}, "modulus at rest"}, {Yeoh{-0.04, 1, 1}, "modulus at rest"}};
+  return {{NeoHookean{-0.08}, "modulus at rest"},
+          {Yeoh{-0.04, 1, 1}, "modulus at rest"},
+          {Mooney{0.03, -0.03}, "modulus at rest"}};
 }
 
 }  // namespace latticast::testing
