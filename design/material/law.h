@@ -13,11 +13,12 @@
 #include "design/material/linear.h"
 #include "design/material/mooney.h"
 #include "design/material/neo_hookean.h"
+#include "design/material/ogden.h"
 #include "design/material/yeoh.h"
 
 namespace latticast {
 
-using Law = std::variant<Linear, NeoHookean, Yeoh, Gent, Mooney>;
+using Law = std::variant<Linear, NeoHookean, Yeoh, Gent, Mooney, Ogden>;
 
 /// What a law must answer:
 ///   name, keys              how the design file calls it and its constants

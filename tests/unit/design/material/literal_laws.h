@@ -42,6 +42,14 @@ struct LiteralEnergy {
   long double operator()(const Mooney& law) const {
     return law.c10_mpa * first_invariant() + law.c01_mpa * (sum_of_powers(stretches, -2) - 3);
   }
+  long double operator()(const Ogden& law) const {
+    long double sum = 0;
+    for (std::size_t p = 0; p < law.alpha.size(); ++p) {
+      sum += law.mu_mpa[p] / static_cast<long double>(law.alpha[p]) *
+             (sum_of_powers(stretches, law.alpha[p]) - 3);
+    }
+    return sum;
+  }
 };
 
 /// In MPa. Precondition: the product of the stretches is 1.
@@ -52,7 +60,10 @@ inline long double literal_energy(const Law& law, const Stretches& stretches) {
 /// At least one of every rubber, single terms of either sign included where the law has several.
 inline std::vector<Law> example_rubbers() {
   return {NeoHookean{0.08}, Yeoh{0.04, -0.002, 0.0003}, Gent{0.08, 12}, Mooney{0.03, 0.01},
-          Mooney{0.05, -0.005}};
+          Mooney{0.05, -0.005},
+          // The three terms of [Ogden 1972] for Treloar's rubber, and single ones.
+          Ogden{{0.63, 0.0012, -0.01}, {1.3, 5, -2}}, Ogden{{0.02}, {4}}, Ogden{{-0.1}, {-3}},
+          Ogden{{0.01, -0.3}, {11.5, -0.2}}};
 }
 
 /// Constants that must be refused, and a word that the reason must hold.
@@ -62,9 +73,10 @@ struct FaultyLaw {
 };
 
 inline std::vector<FaultyLaw> faulty_laws() {
-  return {{NeoHookean{-0.08}, "modulus at rest"},
-          {Yeoh{-0.04, 1, 1}, "modulus at rest"},
-          {Mooney{0.03, -0.03}, "modulus at rest"}};
+  return {
+      {NeoHookean{-0.08}, "modulus at rest"},      {Yeoh{-0.04, 1, 1}, "modulus at rest"},
+      {Mooney{0.03, -0.03}, "modulus at rest"},    {Ogden{{0.08}, {-2}}, "modulus at rest"},
+      {Ogden{{0.08, 0.01}, {2}}, "of one length"}, {Ogden{{0.08, 0.01}, {2, 0}}, "away from 0"}};
 }
 
 }  // namespace latticast::testing
