@@ -154,6 +154,19 @@ err_says "did you mean ecoflex-00-50"
 printf '[house-rubber]\nlaw = "yeoh"\nc1 = 0.02\nc2 = 0.001\nc3 = 0\nsource = "own tensile test"\n' >own.toml
 expect 0 "$program" --materials own.toml materials house-rubber
 says "yeoh"
+printf '[mooney-rubber]\nlaw = "mooney"\nc10 = 0.03\nc01 = 0.01\nsource = "own test"\n' >own.toml
+printf '[ogden-rubber]\nlaw = "ogden"\nmu = [0.06, -0.02]\nalpha = [2, -2]\nsource = "own test"\n' >>own.toml
+expect 0 "$program" --materials own.toml materials
+says "mooney, c10 = 0.03, c01 = 0.01 MPa"
+says "ogden, mu = [0.06, -0.02] MPa, alpha = [2, -2]"
+# The same rubber by either law.
+sed 's/"ecoflex-00-50"/"mooney-rubber"/' "$design" >mooney.toml
+sed 's/"ecoflex-00-50"/"ogden-rubber"/' "$design" >ogden.toml
+expect 0 "$program" --materials own.toml predict mooney.toml --pressure 20
+of_mooney=$(sed 's/mooney-rubber//' <<<"$out" | cut -c1-45)
+expect 0 "$program" --materials own.toml predict ogden.toml --pressure 20
+holds test "$of_mooney" = "$(sed 's/ogden-rubber//' <<<"$out" | cut -c1-45)"
+says "stretch"
 expect 2 "$program" bild
 err_says "did you mean build"
 expect 2 "$program"

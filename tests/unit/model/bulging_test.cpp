@@ -80,6 +80,11 @@ TEST(CapPressure, FollowsTheLaw) {
   patch.law = Gent{0.08, 4};
   EXPECT_NEAR(cap_pressure_mpa(patch, 15) / neo_hookean, 1 / (1 - j / 4), 1e-5);
   EXPECT_EQ(cap_pressure_mpa(patch, 60), HUGE_VAL);
+  // Held along the gap, I1 and I2 are the same.
+  patch.law = Mooney{0.03, 0.01};
+  EXPECT_NEAR(cap_pressure_mpa(patch, 15) / neo_hookean, 1, 1e-12);
+  patch.law = Ogden{{0.06, -0.02}, {2, -2}};
+  EXPECT_NEAR(cap_pressure_mpa(patch, 15) / neo_hookean, 1, 1e-12);
   patch.law = Linear{0.24, 0.499};
   EXPECT_DOUBLE_EQ(cap_pressure_mpa(patch, 15), neo_hookean);
 }

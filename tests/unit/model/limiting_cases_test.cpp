@@ -77,6 +77,17 @@ TEST(LimitingCases, YeohWithoutHigherTermsIsNeoHookean) {
                      1e-13);
 }
 
+TEST(LimitingCases, OgdenOfPowersTwoIsNeoHookeanAndMooney) {
+  Segment ogden = paper_segment({36});
+  ogden.liner.material.law = Ogden{{0.08}, {2}};
+  expect_same_states(predict(ogden, {}, pressures), predict(paper_segment({36}), {}, pressures),
+                     1e-10);
+  Segment mooney = ogden;
+  mooney.liner.material.law = Mooney{0.035, 0.005};
+  ogden.liner.material.law = Ogden{{0.07, -0.01}, {2, -2}};
+  expect_same_states(predict(ogden, {}, pressures), predict(mooney, {}, pressures), 1e-10);
+}
+
 TEST(LimitingCases, GentWithoutLimitIsNeoHookean) {
   Segment gent = paper_segment({36});
   gent.liner.material.law = Gent{0.08, 1e12};

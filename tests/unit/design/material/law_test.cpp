@@ -138,6 +138,43 @@ TEST(Laws, AllPrincipalPlanesAreEqual) {
   }
 }
 
+void expect_same_energy(const Law& a, const Law& b) {
+  for (const Place& p : places) {
+    const EnergyDensity x = energy_density(a, {p.area, p.distortion});
+    const EnergyDensity y = energy_density(b, {p.area, p.distortion});
+    const double size = 2e-15 * (std::abs(x.by_area_area) + std::abs(x.by_area) + x.value);
+    EXPECT_NEAR(x.value, y.value, size);
+    EXPECT_NEAR(x.by_area, y.by_area, size);
+    EXPECT_NEAR(x.by_distortion, y.by_distortion, size);
+    EXPECT_NEAR(x.by_area_area, y.by_area_area, size);
+    EXPECT_NEAR(x.by_area_distortion, y.by_area_distortion, size);
+    EXPECT_NEAR(x.by_distortion_distortion, y.by_distortion_distortion, size);
+  }
+}
+
+/// [Ogden 1972] contains both.
+TEST(Laws, OgdenOfPowersTwoIsNeoHookeanAndMooney) {
+  expect_same_energy(NeoHookean{0.08}, Ogden{{0.08}, {2}});
+  expect_same_energy(NeoHookean{0.08}, Ogden{{0.05, 0.03}, {2, 2}});
+  expect_same_energy(Mooney{0.03, 0.01}, Ogden{{0.06, -0.02}, {2, -2}});
+  expect_same_energy(Mooney{0.05, -0.005}, Ogden{{0.1, 0.01}, {2, -2}});
+}
+
+/// The series of the power sum goes over into its closed form.
+TEST(Laws, OgdenIsSmoothInTheDistortion) {
+  for (const double alpha : {-50.0, -7.3, 0.001, 1.0, 3.0, 20.0, 50.0}) {
+    const Ogden law{{1 / alpha}, {alpha}};
+    const double below = 0.4 * (1 - 1e-14);  // z = 0.1 at area 0
+    const EnergyDensity series = law.energy_density({0, below});
+    const EnergyDensity closed = law.energy_density({0, 0.4 * (1 + 1e-14)});
+    EXPECT_NEAR(series.value / closed.value, 1, 2e-12) << alpha;
+    EXPECT_NEAR(series.by_distortion / closed.by_distortion, 1, 2e-12) << alpha;
+    EXPECT_NEAR(series.by_area_distortion / closed.by_area_distortion, 1, 1e-11) << alpha;
+    EXPECT_NEAR(series.by_distortion_distortion / closed.by_distortion_distortion, 1, 1e-11)
+        << alpha;
+  }
+}
+
 TEST(Laws, ScalingIsProportional) {
   for (const Law& law : example_rubbers()) {
     const InPlaneStretch at{0.3, 0.2};
@@ -192,6 +229,9 @@ TEST(Laws, TextNamesEveryConstantWithItsUnit) {
   EXPECT_EQ(law_text(NeoHookean{0.08}), "neo-hookean, mu = 0.08 MPa");
   EXPECT_EQ(law_text(Yeoh{0.04, 0, -0.1}), "yeoh, c1 = 0.04, c2 = 0, c3 = -0.1 MPa");
   EXPECT_EQ(law_text(Gent{0.08, 60}), "gent, mu = 0.08 MPa, jm = 60");
+  EXPECT_EQ(law_text(Mooney{0.03, 0.01}), "mooney, c10 = 0.03, c01 = 0.01 MPa");
+  EXPECT_EQ(law_text(Ogden{{0.63, -0.01}, {1.3, -2}}),
+            "ogden, mu = [0.63, -0.01] MPa, alpha = [1.3, -2]");
 }
 
 }  // namespace

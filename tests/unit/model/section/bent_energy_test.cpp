@@ -22,11 +22,15 @@ double slope(const F& f, double h) {
 }
 
 Law random_rubber(Random& random) {
-  switch (random.integer(0, 2)) {
+  switch (random.integer(0, 4)) {
     case 0:
       return NeoHookean{0.08};
     case 1:
       return Yeoh{0.04, 0.002, 0.0005};
+    case 2:
+      return Mooney{0.03, 0.01};
+    case 3:
+      return Ogden{{0.04, 0.002, -0.01}, {1.3, 5, -2}};
     default:
       return Gent{0.08, 40};
   }

@@ -106,5 +106,40 @@ TEST(RubberTube, EnergyIsTheIntegralOfTheFormula) {
   }
 }
 
+/// A thick Mooney cylinder that is widened in plane strain. The wall is incompressible, so that the
+/// pressure is dW/d(pi a^2) at the held length.
+TEST(RubberTube, MooneyCylinderWidensAsPublished) {
+  const double inner = 7;
+  const Section section = prepare_section(tube(inner, 18.625, Mooney{80, 20}), {});
+  const Quadrature points = make_quadrature(section, 40, 1);
+  const auto pressure = [&](double growth) {
+    const auto energy = stored_energy(section, points, {0, 0, growth, 0, 0});
+    return energy->gradient[coordinate::inner_growth] / (2 * pi * (inner + growth));
+  };
+  struct Published {
+    double pressure, growth, hoop_stress;
+  };
+  for (const Published& p : {Published{50, 1.2406129, 82.86076},
+                             {100, 3.2115017, 231.62883},
+                             {150, 7.1818714, 622.19451}}) {
+    EXPECT_NEAR(pressure(p.growth), p.pressure, 1e-5);
+    double low = 0;
+    double high = 50;
+    while (high - low > 1e-12) {
+      const double middle = 0.5 * (low + high);
+      (pressure(middle) < p.pressure ? low : high) = middle;
+    }
+    EXPECT_NEAR(low, p.growth, 1e-7);
+    // Cauchy stress around the bore, less the pressure on it.
+    const double hoop = 1 + low / inner;
+    const EnergyDensity w =
+        energy_density(section.liner_law, {0, (hoop - 1 / hoop) * (hoop - 1 / hoop)});
+    const double difference = 2 * w.by_distortion * (hoop * hoop - 1 / (hoop * hoop));
+    EXPECT_NEAR(difference - p.pressure, p.hoop_stress, 1e-4);
+  }
+  // Widened without end, it bears 2 (c10 + c01) ln(R_o/R_i).
+  EXPECT_NEAR(pressure(1e5), 200 * std::log(18.625 / 7), 1e-5);
+}
+
 }  // namespace
 }  // namespace latticast::testing

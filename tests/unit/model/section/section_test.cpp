@@ -124,6 +124,9 @@ const std::vector<Case> cases = {
     {Yeoh{0.04, -0.002, 0.0003}, JointModel::paper, WallKind::layered},
     {Gent{0.08, 12}, JointModel::clear_span, WallKind::layered},
     {NeoHookean{0.08}, JointModel::paper, WallKind::mixture},
+    {Mooney{0.03, 0.01}, JointModel::paper, WallKind::layered},
+    {Ogden{{0.04, 0.002}, {1.3, 5}}, JointModel::clear_span, WallKind::layered},
+    {Ogden{{0.04, -0.01}, {1.3, -2}}, JointModel::none, WallKind::mixture},
     {Gent{0.08, 12}, JointModel::none, WallKind::mixture},
 };
 
