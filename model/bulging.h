@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far the liner comes out through the free gaps of its lattice, and where it balloons there.
+// Bulging of the liner through the free gaps of its lattice, and where it balloons there.
 // Derivation, assumptions and comparison with finite elements: docs/bulging.md.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A chain of segments, each at its own pressure, under many load cases.
+// Response of a chain of segments, each at its own pressure, under many load cases.
 #pragma once
 
 #include <cstddef>

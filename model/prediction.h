@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The predicted response of every segment of a design to its load.
+// Response of every segment of a design to its load.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a segment answers to pressure: equilibrium states followed from rest, how good each one is,
-// and where the branch ends (MODEL.md section 1).
+// Response of a segment to pressure: equilibrium states by continuation from rest, how good each
+// one is, and where the branch ends (docs/model.md#how-it-is-solved-and-how-good-a-state-is).
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The paper's bending model: each half's axial columns act as one effective rod (paper Fig. 2(e),
-// III.B as read in MODEL.md section 5). mm, N, MPa, rad.
+// Effective rods, the bending model of [Wang] III.B: each half's axial columns act as one rod
+// (docs/bending.md#effective-rods). mm, N, MPa, rad.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The response of a section with effective rods.
+// Response to pressure of a section with effective rods.
 #pragma once
 
 #include <span>

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/equilibrium/step_control.h"
+
 namespace latticast {
 namespace {
 
-constexpr double least_slope = 1e-12;  // along the branch, above rounding
-constexpr double least_angle = 1e-9;   // scaled, above rounding
-constexpr double accuracy = 1e-11;     // of a rate, against its change over the step
+constexpr double least_angle = 1e-9;  // scaled, above rounding
+constexpr double accuracy = 1e-11;    // of a rate, against its change over the step
 constexpr int most_halvings = 6;
 constexpr int most_iterations = 80;
 
@@ -36,12 +37,8 @@ struct Angle {
   }
 
   double mean_rate(const BranchState& from, const BranchState& to) const {
-    double square = 0;
-    for (std::size_t i = 0; i < from.x.size(); ++i) {
-      square += (to.x[i] - from.x[i]) * (to.x[i] - from.x[i]);
-    }
     const double change = count == 1 ? to.x[first] - from.x[first] : size(to.x) - size(from.x);
-    return change / std::sqrt(square);
+    return change / distance(from.x, to.x);
   }
 };
 
@@ -55,12 +52,6 @@ Angle angle_of(const Balance& balance, bool bending) {
     ++angle.count;
   }
   return angle;
-}
-
-BranchPoint between(const BranchPoint& a, const BranchPoint& b, double fraction) {
-  BranchPoint x{};
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = a[i] + fraction * (b[i] - a[i]);
-  return x;
 }
 
 /// Where the rate is zero, its signs at the ends being different: the secant method kept inside its
@@ -117,23 +108,6 @@ void search(const Angle& angle, int pressure_entry, const BranchState& from, con
 }
 
 }  // namespace
-
-bool slope_may_vanish(double start, double end, double mean) {
-  const double sense = start < 0 ? -1 : 1;
-  start *= sense;
-  end *= sense;
-  mean *= sense;
-  const double lesser = std::min(start, end);
-  if (lesser < least_slope) return false;
-  // Past a slope that small against the other end's, the quadratic is no guide.
-  if (std::max(start, end) > 8 * lesser) return true;
-  // Slope at u in 0..1: start + linear u + square u^2.
-  const double linear = 6 * mean - 4 * start - 2 * end;
-  const double square = 3 * (start + end) - 6 * mean;
-  if (square <= 0) return false;
-  const double u = -linear / (2 * square);
-  return u > 0 && u < 1 && start + 0.5 * linear * u < 0.5 * lesser;
-}
 
 std::vector<ExtremumState> angle_extrema_between(const Balance& balance, const BranchState& from,
                                                  const BranchState& to,

@@ -6,16 +6,22 @@
 #include <optional>
 #include <vector>
 
-#include "model/equilibrium/branch.h"
+#include "model/equilibrium/balance.h"
+#include "model/equilibrium/branch_state.h"
 
 namespace latticast {
 
 /// The equilibrium at the pressure of `start`, found from there; empty when there is none close by.
 using EquilibriumNear = std::function<std::optional<BranchState>(const BranchPoint& start)>;
 
-/// Whether a slope of equal sign at both ends of a step may change its sign in between, twice: the
-/// quadratic through the end slopes and their mean over the step sinks to half of the lesser one.
-bool slope_may_vanish(double start, double end, double mean);
+/// Where the bending or the twist is largest or smallest along a branch that goes on.
+struct ExtremumState {
+  bool of_bending = false;
+  bool largest = true;
+  BranchPoint x{};
+  BalanceAt balance;
+  double pressure_error = 0;  ///< estimated, relative to the pressure
+};
 
 /// Extrema of bending and twist between two successive states of a branch, in the order of
 /// travel. Where a rate has one sign at both ends but may vanish in between, the step is halved and

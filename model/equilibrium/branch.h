@@ -6,30 +6,19 @@
 #include <optional>
 #include <vector>
 
+#include "model/equilibrium/angle_extremum.h"
 #include "model/equilibrium/balance.h"
-#include "model/equilibrium/limit_point.h"
+#include "model/equilibrium/branch_events.h"
+#include "model/equilibrium/step_control.h"
 #include "model/numerics/newton.h"
 
 namespace latticast {
 
-/// An equilibrium on the branch with what is needed to go on from it.
-struct BranchState {
-  BranchPoint x{};
-  BalanceAt balance;
-  BranchPoint tangent{};           ///< unit vector along the branch, in the direction of travel
-  double smallest_eigenvalue = 0;  ///< of the scaled stiffness of all free coordinates
-  int negative_eigenvalues = 0;
-  double nearest_eigenvalue = 0;         ///< the one nearest to zero
-  double nearest_solved_eigenvalue = 0;  ///< the same, among the coordinates solved for
-  double error_estimate = 0;             ///< set where a requested pressure was landed on
-};
-
 enum class Reached { target, end, lost };
 
-/// Pseudo-arclength continuation, [Keller 1977]: predict along the tangent, correct by
-/// Newton's method square to it, land on a requested pressure by correcting at that pressure. A
-/// step counts only if the correction is small against it, the tangent turns little, and the
-/// pressure does not seem to turn back and forth in between; otherwise it is shortened.
+/// Pseudo-arclength continuation, [Keller 1977]: predict along the tangent, correct by Newton's
+/// method square to it, land on a requested pressure by correcting at that pressure. Which steps
+/// count: judged_step. What is looked for in each: model/equilibrium/branch_events.h.
 class Branch {
  public:
   Branch(const Section& section, Held held, const SolverOptions& options);
@@ -55,38 +44,22 @@ class Branch {
   int iterations() const { return iterations_; }
 
  private:
-  struct Step {
-    BranchState state;
-    double contraction = 0;  // of the Newton correction against the step
-    bool accepted = false;
-  };
-
-  std::optional<BranchState> corrected(const BranchPoint& start, const BranchPoint& normal);
-  Step try_step(const BranchPoint& start, const BranchPoint& normal);
-  double movement(const BranchPoint& a, const BranchPoint& b) const;
-  BranchPoint ahead(double length) const;
-  BranchPoint pressure_axis() const;
-  BranchPoint at_pressure(double pressure, BranchPoint x) const;
+  std::optional<BranchState> correct(const BranchPoint& start, const BranchPoint& normal);
+  CorrectInPlane in_plane();
+  BranchStep try_step(double length, bool landing, double target);
   Reached follow_to(double target, double sign);
-  bool at_end(double target, double sign) const;
-  bool at_law_end() const;
-  double within_laws(double length) const;
-  bool is_connected(const BranchPoint& limit);
+  std::optional<Reached> advance(double target, double sign);
+  std::optional<Reached> turned_back(const BranchState& beyond, double target, double sign);
+  std::optional<Reached> settle(const BranchState& state, bool landing, double next_length);
   Reached end_at(const CriticalState& end);
-  double largest_growth() const;
-  double longest_step() const;
+  bool is_beyond_end(double target, double sign) const;
   bool has_grown_away() const;
   Reached end_of_growth();
-  CriticalState asymptote_here() const;
-  bool land_before(const CriticalState& limit, double target);
   std::optional<CriticalState> limit_point_before(const BranchState& beyond);
-  std::optional<CriticalState> bifurcation_before(const BranchState& beyond);
   bool note_bifurcation_before(const BranchState& beyond);
   void note_angle_extrema_before(const BranchState& beyond);
-  void examine_stability(BranchState& state) const;
   Reached note_closure(const BranchState& beyond);
   bool refine_here();
-  double error_at(const BranchPoint& x, const BalanceAt& balance) const;
   void refine_to(double goal);
   Reached finish_landing();
 

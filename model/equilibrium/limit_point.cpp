@@ -31,9 +31,10 @@ BalanceAt::Vector nearly_free_direction(const BalanceAt& balance, int n) {
 
 /// d(H v)/dq = dH along v, the third derivatives being symmetric. Central differences are enough:
 /// the solution does not depend on this Jacobian, only the speed of convergence does.
-std::optional<BalanceAt::Matrix> stiffness_slope(const Balance& balance, std::span<const double> x,
+std::optional<BalanceAt::Matrix> stiffness_slope(const EquilibriumEquations& equations,
+                                                 std::span<const double> x,
                                                  std::span<const double> direction) {
-  const int n = balance.free_count();
+  const int n = equations.size;
   BranchPoint ahead{};
   BranchPoint behind{};
   std::copy_n(x.begin(), n + 1, ahead.begin());
@@ -42,8 +43,8 @@ std::optional<BalanceAt::Matrix> stiffness_slope(const Balance& balance, std::sp
     ahead[i] += difference_step * direction[i];
     behind[i] -= difference_step * direction[i];
   }
-  const auto after = balance.at(ahead);
-  const auto before = balance.at(behind);
+  const auto after = equations.at(ahead);
+  const auto before = equations.at(behind);
   if (!after || !before) return std::nullopt;
   BalanceAt::Matrix slope{};
   for (int i = 0; i < n * n; ++i) {
@@ -53,13 +54,13 @@ std::optional<BalanceAt::Matrix> stiffness_slope(const Balance& balance, std::sp
 }
 
 /// Unknowns: n coordinates, pressure, v.
-bool extended_system(const Balance& balance, std::span<const double> y, std::span<double> residual,
-                     std::span<double> jacobian) {
-  const int n = balance.free_count();
-  const auto at = balance.at(y);
+bool extended_system(const EquilibriumEquations& equations, std::span<const double> y,
+                     std::span<double> residual, std::span<double> jacobian) {
+  const int n = equations.size;
+  const auto at = equations.at(y);
   if (!at) return false;
   const std::span<const double> v = y.subspan(n + 1, n);
-  const auto slope = stiffness_slope(balance, y, v);
+  const auto slope = stiffness_slope(equations, y, v);
   if (!slope) return false;
 
   const int rows = 2 * n + 1;
@@ -86,10 +87,10 @@ bool extended_system(const Balance& balance, std::span<const double> y, std::spa
 
 }  // namespace
 
-std::optional<CriticalState> locate_limit_point(const Balance& balance, NewtonSolver& newton,
-                                                const BranchPoint& guess) {
-  const int n = balance.free_count();
-  const auto near = balance.at(guess);
+std::optional<CriticalState> locate_limit_point(const EquilibriumEquations& equations,
+                                                NewtonSolver& newton, const BranchPoint& guess) {
+  const int n = equations.size;
+  const auto near = equations.at(guess);
   if (!near) return std::nullopt;
   std::vector<double> y(guess.begin(), guess.begin() + n + 1);
   const BalanceAt::Vector start = nearly_free_direction(*near, n);
@@ -97,14 +98,14 @@ std::optional<CriticalState> locate_limit_point(const Balance& balance, NewtonSo
 
   const auto system = [&](std::span<const double> at, std::span<double> residual,
                           std::span<double> jacobian) {
-    return extended_system(balance, at, residual, jacobian);
+    return extended_system(equations, at, residual, jacobian);
   };
   if (!newton.solve(y, system, most_iterations)) return std::nullopt;
 
   CriticalState found;
   std::copy_n(y.begin(), n + 1, found.x.begin());
-  const auto at = balance.at(found.x);
-  const auto finer = balance.finer_at(found.x);
+  const auto at = equations.at(found.x);
+  const auto finer = equations.finer_at(found.x);
   if (!at || !finer) return std::nullopt;
   found.balance = *at;
   found.iterations = newton.iterations();

@@ -4,7 +4,8 @@
 
 #include <optional>
 
-#include "model/equilibrium/balance.h"
+#include "model/equilibrium/branch_state.h"
+#include "model/equilibrium/response.h"
 #include "model/numerics/newton.h"
 
 namespace latticast {
@@ -18,25 +19,16 @@ struct CriticalState {
   int iterations = 0;         ///< Newton iterations spent on it
 };
 
-/// Where the bending or the twist is largest or smallest along a branch that goes on.
-struct ExtremumState {
-  bool of_bending = false;
-  bool largest = true;
-  BranchPoint x{};
-  BalanceAt balance;
-  double pressure_error = 0;  ///< estimated, relative to the pressure
-};
-
 /// Size of the system that `locate_limit_point` solves, for its NewtonSolver.
-inline int limit_point_unknowns(const Balance& balance) {
-  return 2 * balance.free_count() + 1;
+inline int limit_point_unknowns(int size) {
+  return 2 * size + 1;
 }
 
 /// Solves the extended system of a limit point, [Moore 1980],
 ///     dPi/dq = 0,  H v = 0,  v . v = 1
 /// from a guess near it. Empty when Newton's method does not converge; that the result belongs to
 /// the branch in question is for the caller to check.
-std::optional<CriticalState> locate_limit_point(const Balance& balance, NewtonSolver& newton,
-                                                const BranchPoint& guess);
+std::optional<CriticalState> locate_limit_point(const EquilibriumEquations& equations,
+                                                NewtonSolver& newton, const BranchPoint& guess);
 
 }  // namespace latticast

@@ -17,7 +17,7 @@ struct StrandPlace {
   double cosine = 1;
   double sine = 0;
   double stretch_modulus_mpa = 0;           ///< E times the fraction of the layer that it fills
-  double joint_modulus_mpa = 0;             ///< fraction times k_t / V (paper (4))
+  double joint_modulus_mpa = 0;             ///< fraction times k_t / V, [Wang] (4)
   std::shared_ptr<const HorseshoeLaw> law;  ///< of a horseshoe strand; empty: straight
 };
 

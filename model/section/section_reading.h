@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A segment of the design read into a cross-section, once for all predictions.
+// Cross-section of a segment of the design: strands and rings counted as they are drawn.
 #pragma once
 
 #include "design/design.h"
@@ -11,9 +11,9 @@ namespace latticast {
 
 /// Reads a segment into a section.
 ///   layered:  rubber over R_i..R_m, lattice over R_m..R_o, fractions counted from widths and pitch
-///             (MODEL.md section 3); horseshoe strands by their law at R_c (section 5)
+///             (docs/model.md#energy); strands with a law of their own at R_c
 ///   mixture:  c1 rubber + c2 lattice over R_i..R_o, c1 = 0.91, c2 = 0.09, no strip fractions
-///             (paper (1), (5)); without a lattice there is nothing to mix and c1 = 1
+///             ([Wang] (1), (5)); without a lattice there is nothing to mix and c1 = 1
 /// Rings that do not exist (none given, or none fits on the segment) leave k_t = 0, whatever the
 /// joint. `known` laws are reused where they fit; missing ones are built, side by side.
 /// Families that are uneven around the tube (unequal strands, or a single one) fix the section's

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the material of an inflated wall is stretched, place by place.
+// Deformation gradient in the wall of an inflated segment.
 #pragma once
 
 #include "design/design.h"
@@ -7,8 +7,8 @@
 
 namespace latticast {
 
-/// The deformation gradient at one place of the wall, around and along the tube (MODEL.md section
-/// 1): F = [hoop, shear; 0, axial], incompressible across the wall.
+/// The deformation gradient at one place of the wall, around and along the tube
+/// (docs/model.md#coordinates): F = [hoop, shear; 0, axial], incompressible across the wall.
 struct WallStretch {
   double radius_mm = 0;  ///< current
   double hoop = 1;       ///< r/R

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The map of space that a chain of inflated segments makes (MODEL.md section 7, paper (6), (28),
-// (29)).
+// Deformation map of a chain of inflated segments, by closed-form screw motions
+// (docs/bending.md#shape, [Wang] (6), (28), (29)).
 #pragma once
 
 #include <array>
@@ -81,7 +81,7 @@ class Shape {
   double curving_rad_per_mm(std::size_t segment) const;
 
   /// At least the factor by which any short line in the segment's wall becomes longer: the largest
-  /// singular value of F (MODEL.md section 1) with each entry as large as it is anywhere.
+  /// singular value of F (docs/model.md#coordinates) with each entry as large as it is anywhere.
   double largest_stretch(std::size_t segment) const;
 
   /// Longest axial rest distance between mesh vertices of a segment for which a straight line at

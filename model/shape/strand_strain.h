@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much the material is strained at every vertex of a mesh, for colours and reports.
+// Strain of the lattice at every vertex of a mesh, for colours and reports.
 #pragma once
 
 #include <cstdint>
@@ -47,7 +47,7 @@ StrandField strand_field(const Segment& segment, const TriangleMesh& rest, doubl
 
 /// Engineering strain of the lattice in a state, one per vertex, negative where compressed:
 /// - rings: r/R - 1 at the vertex;
-/// - straight strands: |F A| - 1 along their angle at the vertex (MODEL.md section 3);
+/// - straight strands: |F A| - 1 along their angle at the vertex (docs/model.md#energy);
 /// - horseshoes: that of the arc's most stretched fibre (horseshoe_fibre.h) for its chord's strain
 ///   at R_c, all over the strand's section. Never negative; 0 where no arc exists. Between 33 chord
 ///   strains from the smallest to the largest it is interpolated linearly;

@@ -13,7 +13,7 @@
 namespace latticast::testing {
 namespace {
 
-/// The shape that MODEL.md section 5 fitted to the paper's bending angles.
+/// The shape that was fitted to five bending angles of [Wang] (docs/bending.md#effective-rods).
 Segment fitted(double thin, double thick) {
   Segment segment = columns(halves(16, thick, thin), 90, {3.5, 170, true});
   segment.liner.material.law = Linear{0.082, 0.5};

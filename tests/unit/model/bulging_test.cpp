@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bulging of the liner: closed forms of strips and caps, limits of the gap, the units, and the
-// finite-element cell of MODEL.md section 9.
+// finite-element cell of docs/bulging.md#against-a-finite-element-cell.
 #include "model/bulging.h"
 
 #include <algorithm>

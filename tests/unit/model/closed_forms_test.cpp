@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A neo-Hookean tube under stretch, twist and inflation has closed forms (MODEL.md section 3).
+// A neo-Hookean tube under stretch, twist and inflation has closed forms
+// (docs/model.md#closed-forms-of-a-bare-tube).
 #include <cmath>
 #include <cstdio>
 

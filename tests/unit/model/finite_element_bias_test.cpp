@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MODEL.md section 9: how far the analytic model is from a finite-element cell of the same lattice.
+// docs/model.md#what-it-leaves-out: how far the analytic model is from a finite-element cell of the
+// same lattice.
 // The bias is known and stated to users; this test notices when a change of the model moves it.
 #include <algorithm>
 #include <vector>

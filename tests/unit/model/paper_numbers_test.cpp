@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of MODEL.md section 3, to every printed digit.
+// The numbers of docs/model.md#published-and-calculated-numbers, to every printed digit.
 #include <array>
 #include <cmath>
 #include <functional>

@@ -30,8 +30,8 @@ inline Grid grid(double angle_deg, int count, double width_mm) {
   return {angle_deg, std::vector<double>(count, width_mm), StraightPath{}};
 }
 
-/// MODEL.md section 3: liner 12-16, lattice 16-18, mu 0.08, E 19.46, 8 rings of 2 on 85 mm, and 8
-/// strips of width 2 for each angle.
+/// docs/model.md#published-and-calculated-numbers: liner 12-16, lattice 16-18, mu 0.08, E 19.46, 8
+/// rings of 2 on 85 mm, and 8 strips of width 2 for each angle.
 inline Segment paper_segment(std::initializer_list<double> angles_deg) {
   Segment segment = tube(12, 16, NeoHookean{0.08});
   Lattice lattice;

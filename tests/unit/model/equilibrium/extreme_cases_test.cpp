@@ -71,7 +71,7 @@ TEST(ExtremeCases, LockedStrandsGoOnBeyondTheLockingPressure) {
 
 /// A thick wall whose bore closes: r(R) all but vanishes at the bore, and the closing pressure of a
 /// neo-Hookean tube of held length is known, P/mu = ln(R_o r_i/(R_i r_o)) + (r_i^2 - R_i^2)/2 *
-/// (1/r_i^2 - 1/r_o^2) at stretch 1 and no twist (MODEL.md section 3).
+/// (1/r_i^2 - 1/r_o^2) at stretch 1 and no twist (docs/model.md#closed-forms-of-a-bare-tube).
 TEST(ExtremeCases, ThickWallsCloseAtTheExactPressure) {
   for (const double ratio : {0.05, 0.1, 0.3, 0.6, 0.9}) {
     const double mu = 0.08;

@@ -111,7 +111,7 @@ TEST(LimitPoint, HeldLengthGrowsTowardsAnAsymptote) {
 }
 
 TEST(LimitPoint, SuctionClosesTheBore) {
-  // Closed form at lambda = 1 and a = R_i/1000, from MODEL.md section 3.
+  // Closed form at lambda = 1 and a = R_i/1000, from docs/model.md#closed-forms-of-a-bare-tube.
   const double bore = 0.014;
   const double r2 = bore * bore + 18 * 18 - 14 * 14;
   const double c = 14 * 14 - bore * bore;

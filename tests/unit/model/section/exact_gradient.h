@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The gradient of a section's energy written out a second time, straight from MODEL.md sections 1
-// to 5: long double, many quadrature points, derivatives by complex steps, horseshoe forces from
-// solved arcs instead of interpolants. What a prediction lacks against it is its true error.
+// The gradient of a section's energy written out a second time, straight from docs/model.md#energy
+// and docs/bending.md#distributed-columns: long double, many quadrature points, derivatives by
+// complex steps, horseshoe forces from solved arcs instead of interpolants. What a prediction lacks
+// against it is its true error.
 #pragma once
 
 #include <array>

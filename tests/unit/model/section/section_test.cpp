@@ -35,7 +35,7 @@ Real dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// F of MODEL.md section 1 at reference radius R, for q = (lambda, k, a).
+/// F of docs/model.md#coordinates at reference radius R, for q = (lambda, k, a).
 Tensor deformation_gradient(const Vector& q, Real inner, Real radius) {
   const Real r = std::sqrt(q[2] * q[2] + (radius * radius - inner * inner) / q[0]);
   return {{Vector{radius / (r * q[0]), 0, 0}, Vector{0, r / radius, q[1] * r}, Vector{0, 0, q[0]}}};
@@ -73,7 +73,7 @@ Real integrate(Real from, Real to, const std::function<Real(Real)>& density) {
   return sum * h / 3;
 }
 
-/// MODEL.md section 3 written out for the segment of paper_segment with the given law and joint.
+/// docs/model.md#energy written out for the segment of paper_segment with the given law and joint.
 Real literal_energy(const Segment& segment, const ModelChoice& model, const Vector& q) {
   const bool layered = model.wall == WallKind::layered;
   const Real inner = segment.inner_radius_mm();

@@ -54,8 +54,8 @@ TEST(Shape, OneSegmentFollowsItsState) {
 }
 
 TEST(Shape, AFieldOfTheMapIsTheDeformationGradient) {
-  // Finite differences of the map give F of MODEL.md section 1: volume kept in the wall, strands
-  // stretched by |F A|.
+  // Finite differences of the map give F of docs/model.md#coordinates: volume kept in the wall,
+  // strands stretched by |F A|.
   const std::vector<Segment> segments = {paper_segment({36})};
   const State state = inflated(segments[0], 40);
   const Shape shape(segments, std::vector<State>{state});

@@ -33,7 +33,7 @@ State twisted(double stretch, double twist, double inner_radius) {
   return state;
 }
 
-// MODEL.md section 1, written out.
+// docs/model.md#coordinates, written out.
 double radius_then(double radius, const State& state) {
   const double a = state.inner_radius_mm;
   return std::sqrt(a * a + (radius * radius - 144) / state.stretch);
