@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/build_checks.h"
 
-#include <algorithm>
-
 #include <fmt/core.h>
 
 #include "app/check_output.h"
 #include "checks/check_design.h"
+#include "checks/findings_json.h"
 
 namespace latticast {
 namespace {
@@ -25,26 +24,23 @@ Design narrowed(Design design, const Plan& plan) {
 
 }  // namespace
 
-CheckFindings checks_before_build(const Design& design, const Plan& plan) {
-  if (plan.runs(Stage::report)) return check_design(design);
+CheckFindings checks_before_build(PreparedDesign& prepared, const Plan& plan) {
+  const Design& design = prepared.design;
+  if (plan.runs(Stage::report)) return check_design(design, prepared);
   const bool molds = plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold);
   CheckScope scope;
   scope.printing = plan.runs(Stage::lattice) || plan.runs(Stage::liner) || molds;
   scope.casting = molds;
   scope.inflating = plan.runs(Stage::preview);
-  return check_design(narrowed(design, plan), scope);
+  return check_design(narrowed(design, plan), prepared, scope);
 }
 
 bool may_build(const CheckFindings& findings, bool force, const Console& console) {
-  const auto count = [&](Severity severity) {
-    return std::count_if(findings.begin(), findings.end(),
-                         [&](const CheckFinding& found) { return found.severity == severity; });
-  };
   for (const CheckFinding& finding : findings) {
     if (finding.severity == Severity::error) console.error(check_line(finding));
   }
-  const auto warnings = count(Severity::warning);
-  const auto notes = count(Severity::note);
+  const auto warnings = count_of(findings, Severity::warning);
+  const auto notes = count_of(findings, Severity::note);
   if (warnings + notes > 0) {
     console.note(fmt::format("checks: {} and {}; latticast check shows them",
                              number_of(warnings, "warning"), number_of(notes, "note")));

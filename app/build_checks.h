@@ -5,14 +5,14 @@
 #include "app/console.h"
 #include "app/plan.h"
 #include "checks/check_finding.h"
-#include "design/design.h"
+#include "prepared/prepared_design.h"
 
 namespace latticast {
 
 /// What can go wrong with the parts that the plan makes, and no others: printing for a lattice or
 /// its mold, casting for molds, the whole load for a preview. A report lists all that the design
 /// has.
-CheckFindings checks_before_build(const Design& design, const Plan& plan);
+CheckFindings checks_before_build(PreparedDesign& prepared, const Plan& plan);
 
 /// Writes the errors for people, each with its place and remedy, and counts the warnings and notes;
 /// true when the build may go on: nothing was found that spoils a part, or `force` is set.

@@ -44,10 +44,11 @@ ExitStatus run_build(const BuildArguments& arguments, const Console& console) {
     return ExitStatus::done;
   }
   watch_for_interrupt();
-  const CheckFindings findings = checks_before_build(*design, plan);
+  PreparedDesign prepared(*design);
+  const CheckFindings findings = checks_before_build(prepared, plan);
   if (!may_build(findings, arguments.force, console)) return ExitStatus::check_failed;
   try {
-    const BuildOrder order{*design, plan, findings, arguments.folder, arguments.times};
+    const BuildOrder order{*design, prepared, plan, findings, arguments.folder, arguments.times};
     console.data(build_parts(order, console));
   } catch (const AuditFailed& fault) {
     console.error(fault.what());

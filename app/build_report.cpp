@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "app/check_output.h"
 #include "design/unsupported_design.h"
 #include "report/report_page.h"
 
@@ -25,13 +24,13 @@ const Material* poured_material(const Design& design, const PlannedMold& planned
 }
 #endif
 
-void predict_report(const Design& design, ReportData& report) {
-  if (design.load.empty()) {
+void predict_report(PreparedResponses& responses, ReportData& report) {
+  if (responses.design().load.empty()) {
     report.curves_missing = "the design names no load";
     return;
   }
   try {
-    report.curves = predict_curves(design);
+    report.curves = predict_curves(responses);
   } catch (const UnsupportedDesign& reason) {
     report.curves_missing = reason.what();
   }
@@ -43,7 +42,7 @@ void complete_report(const BuildOrder& order, ReportData& report) {
   for (const PlannedStage& stage : order.plan.stages) {
     report.plan.push_back({std::string(name(stage.stage)), stage.runs, stage.reason});
   }
-  report.checks_json = check_json(order.design.name, order.findings);
+  report.findings = order.findings;
 }
 
 std::vector<ReportFile> report_files(ReportData& report, const ReportView& view,

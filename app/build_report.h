@@ -24,7 +24,7 @@ const Material* poured_material(const Design& design, const PlannedMold& planned
 #endif
 
 /// Fills in the response, or why there is none.
-void predict_report(const Design& design, ReportData& report);
+void predict_report(PreparedResponses& responses, ReportData& report);
 
 /// Fills in what the order says: design, plan, checks.
 void complete_report(const BuildOrder& order, ReportData& report);

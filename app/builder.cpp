@@ -79,7 +79,7 @@ class Builder {
 #if LATTICAST_HAS_MOLDS
     const bool any_mold = plan_.runs(Stage::lattice_mold) || plan_.runs(Stage::liner_mold);
     if (any_mold) progress_.begin("molds");
-    const std::vector<PlannedMold> molds = make_molds(design_, plan_);
+    const std::vector<PlannedMold> molds = make_molds(order_.prepared, plan_);
     for (const PlannedMold& planned : molds) {
       expect_meshes(planned.mold.pieces.size());
     }
@@ -120,7 +120,7 @@ class Builder {
     if (plan_.runs(Stage::lattice) && segment.lattice) {
       const Part part{part_name(s, "lattice"), "lattice", s, &segment.lattice->material};
       progress_.begin(part.stem);
-      deliver_at_rest(part, lattice_solid(segment, options));
+      deliver_at_rest(part, lattice_solid(order_.prepared.lattices.of(s), options));
     }
     if (plan_.runs(Stage::liner)) {
       const Part part{part_name(s, "liner"), "liner", s, &segment.liner.material};
@@ -149,7 +149,7 @@ class Builder {
       summary_ += fmt::format("{}: no flat pattern, the segment has no lattice\n", stem);
       return;
     }
-    const FlatSheet sheet = flat_sheet(design_.segments[s], design_.output.tolerance_mm);
+    const FlatSheet sheet = flat_sheet(order_.prepared.lattices.of(s), design_.output.tolerance_mm);
     const FlatDrawing drawing = flat_drawing(design_, s, sheet);
     write_svg(add_file(stem + ".svg"), drawing);
     write_dxf(add_file(stem + ".dxf"), drawing);
@@ -177,7 +177,7 @@ class Builder {
 
 #if LATTICAST_HAS_PREDICT
   void build_preview() {
-    const std::vector<PreviewShape> shapes = predict_preview(design_);
+    const std::vector<PreviewShape> shapes = predict_preview(order_.prepared.responses);
     PreviewParts parts;
     for (std::size_t s = 0; s < design_.segments.size(); ++s) {
       const SolidOptions options = preview_options(design_, s, start_z_mm_[s], shapes);
@@ -207,7 +207,8 @@ class Builder {
   void preview_part(std::size_t s, bool is_liner, const SolidOptions& options,
                     const std::vector<PreviewShape>& shapes, PreviewParts& parts) {
     const Segment& segment = design_.segments[s];
-    const Solid rest = is_liner ? liner_solid(segment, options) : lattice_solid(segment, options);
+    const Solid rest = is_liner ? liner_solid(segment, options)
+                                : lattice_solid(order_.prepared.lattices.of(s), options);
     const std::string kind = is_liner ? "liner" : "lattice";
     StrainColours colours;
     if (writes(MeshFormat::ply)) {
@@ -241,10 +242,10 @@ class Builder {
 
   void build_report() {
     progress_.begin("report: response");
-    predict_report(design_, report_);
+    predict_report(order_.prepared.responses, report_);
     note_time("report, response");
     progress_.begin("report: view");
-    const ReportView view = make_view(design_, report_.curves ? &*report_.curves : nullptr);
+    const ReportView view = make_view(order_.prepared, report_.curves ? &*report_.curves : nullptr);
     note_time("report, view");
     progress_.begin("report: page");
     complete_report(order_, report_);

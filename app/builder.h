@@ -10,6 +10,7 @@
 #include "app/plan.h"
 #include "checks/check_finding.h"
 #include "design/design.h"
+#include "prepared/prepared_design.h"
 
 namespace latticast {
 
@@ -20,6 +21,7 @@ struct AuditFailed : std::runtime_error {
 
 struct BuildOrder {
   const Design& design;
+  PreparedDesign& prepared;  ///< of the design: what the checks have left there is used
   const Plan& plan;
   const CheckFindings& findings;  ///< for the report
   std::filesystem::path folder;

@@ -8,15 +8,14 @@
 #include "molds/plugs.h"
 #include "molds/pour_plan.h"
 #include "molds/print_size.h"
-#include "molds/replica_mold.h"
 
 namespace latticast {
 namespace {
 
 // What the flexible mold is cast of is the workshop's choice.
-PlannedMold planned_replica_mold(const Design& design, std::size_t s) {
-  const Segment& segment = design.segments[s];
-  Mold mold = replica_mold(segment, lattice_mold_options(design, segment));
+PlannedMold planned_replica_mold(PreparedDesign& prepared, std::size_t s) {
+  const Design& design = prepared.design;
+  Mold mold = prepared.molds.lattice_mold(s);
   Material rubber;
   rubber.name = "mold rubber";
   Casting casting{fmt::format("Flexible mold for the lattice of segment {}", s + 1), mold, rubber,
@@ -26,12 +25,13 @@ PlannedMold planned_replica_mold(const Design& design, std::size_t s) {
   return {s, "lattice-mold", std::move(mold), std::move(procedure)};
 }
 
-PlannedMold planned_lattice_mold(const Design& design, std::size_t s) {
+PlannedMold planned_lattice_mold(PreparedDesign& prepared, std::size_t s) {
+  const Design& design = prepared.design;
   if (design.make.lattice_mold->method == MoldMethod::replica) {
-    return planned_replica_mold(design, s);
+    return planned_replica_mold(prepared, s);
   }
   const Segment& segment = design.segments[s];
-  Mold mold = lattice_mold(segment, lattice_mold_options(design, segment));
+  Mold mold = prepared.molds.lattice_mold(s);
   Casting casting{fmt::format("Lattice of segment {}", s + 1), mold, segment.lattice->material,
                   design.printer.process};
   casting.through_bores = true;
@@ -39,10 +39,11 @@ PlannedMold planned_lattice_mold(const Design& design, std::size_t s) {
   return {s, "lattice-mold", std::move(mold), std::move(procedure)};
 }
 
-PlannedMold planned_liner_mold(const Design& design, std::size_t s) {
+PlannedMold planned_liner_mold(PreparedDesign& prepared, std::size_t s) {
+  const Design& design = prepared.design;
   const Segment& segment = design.segments[s];
   const LinerMoldOptions options = liner_mold_options(design, segment);
-  Mold mold = liner_mold(segment, options);
+  Mold mold = prepared.molds.liner_mold(s);
   PlugOptions plug_options;
   plug_options.tolerance_mm = design.output.tolerance_mm;
   plug_options.closed_end = options.ends == LinerEnds::closed;
@@ -71,13 +72,14 @@ void check_bed(const Design& design, const std::vector<PlannedMold>& molds) {
 
 }  // namespace
 
-std::vector<PlannedMold> make_molds(const Design& design, const Plan& plan) {
+std::vector<PlannedMold> make_molds(PreparedDesign& prepared, const Plan& plan) {
+  const Design& design = prepared.design;
   std::vector<PlannedMold> molds;
   for (std::size_t s = 0; s < design.segments.size(); ++s) {
     if (plan.runs(Stage::lattice_mold) && design.segments[s].lattice) {
-      molds.push_back(planned_lattice_mold(design, s));
+      molds.push_back(planned_lattice_mold(prepared, s));
     }
-    if (plan.runs(Stage::liner_mold)) molds.push_back(planned_liner_mold(design, s));
+    if (plan.runs(Stage::liner_mold)) molds.push_back(planned_liner_mold(prepared, s));
   }
   check_bed(design, molds);
   return molds;

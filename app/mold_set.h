@@ -8,6 +8,7 @@
 #include "app/plan.h"
 #include "design/design.h"
 #include "molds/mold_piece.h"
+#include "prepared/prepared_design.h"
 
 namespace latticast {
 
@@ -21,6 +22,6 @@ struct PlannedMold {
 
 /// Makes the molds that the plan runs. Throws CannotMold (also for pieces that exceed the printer's
 /// bed), CannotDraw, GeometryError.
-std::vector<PlannedMold> make_molds(const Design& design, const Plan& plan);
+std::vector<PlannedMold> make_molds(PreparedDesign& prepared, const Plan& plan);
 
 }  // namespace latticast

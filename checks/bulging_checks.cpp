@@ -26,7 +26,7 @@ class Bulges {
 
   const std::vector<Bulge>& at(const State& state) {
     auto& bulges = found_[state.pressure_kpa];
-    if (bulges.empty()) bulges = liner_bulges(*loaded_.segment, loaded_.prepared, state);
+    if (bulges.empty()) bulges = liner_bulges(*loaded_.segment, loaded_.section(), state);
     return bulges;
   }
 

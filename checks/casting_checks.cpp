@@ -18,7 +18,6 @@
 #include "molds/mold_options.h"
 #include "molds/pour_plan.h"
 #include "molds/print_size.h"
-#include "molds/replica_mold.h"
 
 namespace latticast {
 namespace {
@@ -29,8 +28,13 @@ constexpr double strap_share_of_wall = 1.0 / 3;
 
 class MoldChecks {
  public:
-  MoldChecks(const Design& design, std::size_t s)
-      : design_(design), number_(static_cast<int>(s) + 1), segment_(design.segments[s]) {}
+  MoldChecks(const Design& design, PreparedLattices& lattices, PreparedMolds& molds, std::size_t s)
+      : design_(design),
+        lattices_(lattices),
+        molds_(molds),
+        index_(s),
+        number_(static_cast<int>(s) + 1),
+        segment_(design.segments[s]) {}
 
   CheckFindings run() {
     if (design_.make.lattice_mold && segment_.lattice) {
@@ -51,12 +55,11 @@ class MoldChecks {
   void check_lattice_mold(const LatticeMold& asked) {
     check_wall("lattice_mold", "lattice-mold", asked.wall_mm);
     if (!drawing_problems(segment_).empty()) return;
-    const LatticeMoldOptions options = lattice_mold_options(design_, segment_);
     try {
       if (asked.method == MoldMethod::replica) {
-        check_pieces("lattice-mold", replica_mold(segment_, options));
+        check_pieces("lattice-mold", molds_.lattice_mold(index_));
       } else {
-        check_direct_mold(plan_lattice_mold(segment_, options));
+        check_direct_mold(molds_.lattice_mold_plan(index_));
       }
     } catch (const CannotMold& fault) {
       add_impossible("lattice-mold", fault.what());
@@ -69,7 +72,7 @@ class MoldChecks {
     check_wall("liner_mold", "liner-mold", asked.wall_mm);
     if (asked.keyed && !drawing_problems(segment_).empty()) return;
     try {
-      check_pieces("liner-mold", liner_mold(segment_, liner_mold_options(design_, segment_)));
+      check_pieces("liner-mold", molds_.liner_mold(index_));
     } catch (const CannotMold& fault) {
       add_impossible("liner-mold", fault.what());
     } catch (const GeometryError& fault) {
@@ -172,7 +175,7 @@ class MoldChecks {
   std::string gentler_parting() const {
     LatticeMoldOptions options = lattice_mold_options(design_, segment_);
     options.pieces.reset();
-    const LatticeMoldPlan plan = plan_lattice_mold(segment_, options);
+    const LatticeMoldPlan plan = plan_lattice_mold(lattices_.of(index_), options);
     if (!clearly_above(worst_undercut(plan.undercuts).strain, options.allowed_strain)) {
       return fmt::format("lattice_mold.pieces = {}", plan.shell.parting.pieces);
     }
@@ -244,6 +247,9 @@ class MoldChecks {
   }
 
   const Design& design_;
+  PreparedLattices& lattices_;
+  PreparedMolds& molds_;
+  std::size_t index_;
   int number_;
   const Segment& segment_;
   CheckFindings findings_;
@@ -264,10 +270,11 @@ double beside_cavity_mm3(const LatticeMoldPlan& plan) {
   return volume;
 }
 
-CheckFindings casting_checks(const Design& design) {
+CheckFindings casting_checks(const Design& design, PreparedLattices& lattices,
+                             PreparedMolds& molds) {
   CheckFindings findings;
   for (std::size_t s = 0; s < design.segments.size(); ++s) {
-    CheckFindings more = MoldChecks(design, s).run();
+    CheckFindings more = MoldChecks(design, lattices, molds, s).run();
     std::move(more.begin(), more.end(), std::back_inserter(findings));
   }
   return findings;

@@ -5,6 +5,7 @@
 #include "checks/check_finding.h"
 #include "design/design.h"
 #include "molds/lattice_mold.h"
+#include "prepared/prepared_molds.h"
 
 namespace latticast {
 
@@ -19,6 +20,8 @@ double beside_cavity_mm3(const LatticeMoldPlan& plan);
 /// pour-volume and exceeds-bed of every mold that make.lattice_mold and make.liner_mold ask for.
 /// Lattice molds are planned, not made solid; replica and liner molds are made. Lattices that
 /// cannot be drawn are print_checks' concern.
-CheckFindings casting_checks(const Design& design);
+/// `lattices` and `molds` are those of the design, or of one with the same molds and more beside.
+CheckFindings casting_checks(const Design& design, PreparedLattices& lattices,
+                             PreparedMolds& molds);
 
 }  // namespace latticast

@@ -4,6 +4,7 @@
 
 #include "checks/check_finding.h"
 #include "design/design.h"
+#include "prepared/prepared_design.h"
 
 namespace latticast {
 
@@ -17,6 +18,12 @@ struct CheckScope {
 /// Everything in the scope that this build can check: printing with LATTICAST_GEOMETRY, casting
 /// with LATTICAST_MOLDS, inflating with LATTICAST_PREDICT. A design that cannot be drawn, molded or
 /// predicted gets a finding that says so, not an exception.
-CheckFindings check_design(const Design& design, const CheckScope& scope = {});
+/// What `prepared` lacks is computed and left in it. `design` is the one that it was made for, or
+/// that one with less under [make].
+CheckFindings check_design(const Design& design, PreparedDesign& prepared,
+                           const CheckScope& scope = {});
+
+/// Of a design that nobody else needs prepared.
+CheckFindings check_design(const Design& design);
 
 }  // namespace latticast

@@ -7,7 +7,6 @@
 #include <queue>
 
 #include "geometry/mesh/disjoint_sets.h"
-#include "geometry/solid/fillet.h"
 #include "geometry/solid/plane_mesh.h"
 #include "geometry/solid/region.h"
 
@@ -156,15 +155,13 @@ bool Outline::is_cell() const {
   return twice_area < 0;
 }
 
-LatticePlane lattice_plane(const Segment& segment) {
-  const double flatness_mm = std::min(coarsest_mm, share_of_finest * finest_mm(*segment.lattice));
-  Pattern pattern = draw_lattice(segment, flatness_mm);
-  if (segment.lattice->fillet_mm > 0) {
-    pattern = with_fillets(pattern, segment.lattice->fillet_mm, flatness_mm);
-  }
+LatticePlane lattice_plane(LatticeDrawing& drawing) {
+  const double flatness_mm =
+      std::min(coarsest_mm, share_of_finest * finest_mm(*drawing.segment().lattice));
+  const Pattern& pattern = drawing.outlines(flatness_mm);
   LatticePlane plane{pattern.circumference_mm, pattern.length_mm, {}, {}, 0};
   const PlaneGrid grid = make_plane_grid(plane.circumference_mm, plane.length_mm, few_columns);
-  const PlaneMesh mesh = triangulate(unite(std::move(pattern), grid, {}, flatness_mm));
+  const PlaneMesh mesh = triangulate(drawing.united(flatness_mm, grid, {}, flatness_mm));
   const std::vector<PlanePoint> points = points_of(mesh);
   plane.outlines = outlines_of(mesh, points, plane.circumference_mm);
   plane.parts = parts_of(mesh, points, plane.circumference_mm);

@@ -6,6 +6,7 @@
 
 #include "design/design.h"
 #include "geometry/pattern/pattern.h"
+#include "geometry/solid/lattice_drawing.h"
 
 namespace latticast {
 
@@ -33,10 +34,10 @@ struct LatticePlane {
   double area_mm2 = 0;
 };
 
-/// Draws and unites the lattice with its fillets; arcs are chords within 0.01 mm, and within a
-/// twentieth of the thinnest strand and the fillet. Precondition: the segment has a lattice. Throws
-/// CannotDraw (pattern.h) and GeometryError (arrangement.h).
-LatticePlane lattice_plane(const Segment& segment);
+/// The united lattice with its fillets; arcs are chords within 0.01 mm, and within a twentieth of
+/// the thinnest strand and the fillet. Throws CannotDraw (pattern.h) and GeometryError
+/// (arrangement.h).
+LatticePlane lattice_plane(LatticeDrawing& drawing);
 
 /// Twice the radius of the largest circle in a simple polygon, from below: within `slack_mm`, and
 /// within a micrometre where only that tells whether it is more than `enough_mm`; some value above

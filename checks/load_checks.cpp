@@ -25,17 +25,18 @@ CheckFinding not_predictable(std::size_t index, const char* reason) {
 
 }  // namespace
 
-CheckFindings load_checks(const Design& design) {
+CheckFindings load_checks(PreparedResponses& responses) {
+  const Design& design = responses.design();
   CheckFindings findings;
   if (design.load.empty()) return findings;
   for (std::size_t i = 0; i < design.segments.size(); ++i) {
     try {
-      const LoadedSegment loaded = load_segment(design, i);
+      const LoadedSegment loaded = load_segment(responses, i);
       check_stability(loaded, findings);
       check_bulging(loaded, findings);
       check_strains(loaded, findings);
       check_contact(loaded, findings);
-      check_validity(loaded, design.model, findings);
+      check_validity(loaded, findings);
     } catch (const UnsupportedDesign& reason) {
       findings.push_back(not_predictable(i, reason.what()));
     } catch (const ArcNotSolved& reason) {

@@ -4,12 +4,12 @@
 #pragma once
 
 #include "checks/check_finding.h"
-#include "design/design.h"
+#include "prepared/prepared_responses.h"
 
 namespace latticast {
 
-/// All checks under the design's load; none without one. A segment that cannot be predicted has one
-/// finding, not-predictable.
-CheckFindings load_checks(const Design& design);
+/// All checks under the load of the responses' design; none without one. A segment that cannot be
+/// predicted has one finding, not-predictable.
+CheckFindings load_checks(PreparedResponses& responses);
 
 }  // namespace latticast

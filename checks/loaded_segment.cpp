@@ -56,7 +56,7 @@ void narrow(const LoadedSegment& loaded, const Measure& measure, double& within,
   constexpr int parts = 16;
   std::vector<double> pressures;
   for (int i = 1; i < parts; ++i) pressures.push_back(within + (outside - within) * i / parts);
-  const Response response = predict(loaded.prepared, pressures);
+  const Response& response = loaded.response_at(pressures);
   for (std::size_t i = 0; i < pressures.size(); ++i) {
     const auto& state = response.states[i];
     if (state && beyond(measure, *state)) {
@@ -77,18 +77,28 @@ std::vector<const State*> LoadedSegment::states() const {
   return found;
 }
 
-LoadedSegment load_segment(const Design& design, std::size_t index) {
+const PreparedSegment& LoadedSegment::section() const {
+  return responses->section(static_cast<std::size_t>(number) - 1);
+}
+
+const Response& LoadedSegment::response_at(const std::vector<double>& other_kpa,
+                                           ModulusFactors factors) const {
+  return responses->response(static_cast<std::size_t>(number) - 1, other_kpa, factors);
+}
+
+LoadedSegment load_segment(PreparedResponses& responses, std::size_t index) {
+  const Design& design = responses.design();
   LoadedSegment loaded;
   loaded.segment = &design.segments[index];
   loaded.number = static_cast<int>(index) + 1;
-  loaded.prepared = prepare_segment(*loaded.segment, design.model);
+  loaded.responses = &responses;
   loaded.pressures_kpa = pressures_of_load_kpa(design, index);
   std::vector<double> pressures = loaded.pressures_kpa;
   const double most = loaded.pressures_kpa.back();
   const double least = loaded.pressures_kpa.front();
   if (most > 0) pressures.push_back(least_limit_margin * most);
   if (least < 0) pressures.push_back(least_limit_margin * least);
-  loaded.response = predict(loaded.prepared, pressures);
+  loaded.response = responses.response(index, pressures);
   return loaded;
 }
 

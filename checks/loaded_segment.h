@@ -11,7 +11,7 @@
 #include "checks/check_finding.h"
 #include "design/design.h"
 #include "model/equilibrium/response.h"
-#include "model/prepared_segment.h"
+#include "prepared/prepared_responses.h"
 
 namespace latticast {
 
@@ -23,19 +23,25 @@ inline constexpr double least_limit_margin = 1.25;
 /// steps from rest to the largest one and to the deepest suction. Of more than 64 asked pressures
 /// 64 are taken, the ends among them: the branch between them is the same.
 struct LoadedSegment {
-  const Segment* segment = nullptr;  ///< into the design, which must outlive this
-  int number = 0;                    ///< from 1
-  PreparedSegment prepared;
-  std::vector<double> pressures_kpa;  ///< these, distinct, ascending
-  Response response;                  ///< at those, then at the margin beyond either end
+  const Segment* segment = nullptr;        ///< into the design, which must outlive this
+  int number = 0;                          ///< from 1
+  PreparedResponses* responses = nullptr;  ///< must outlive this, too
+  std::vector<double> pressures_kpa;       ///< these, distinct, ascending
+  Response response;                       ///< at those, then at the margin beyond either end
+
+  const PreparedSegment& section() const;
+
+  /// The segment at other pressures.
+  const Response& response_at(const std::vector<double>& other_kpa,
+                              ModulusFactors factors = {}) const;
 
   /// States at these pressures, as far as there are any, ascending.
   std::vector<const State*> states() const;
 };
 
-/// Predicts `design.segments[index]`. Precondition: the design has a load. Throws
+/// Predicts one segment of the responses' design. Precondition: the design has a load. Throws
 /// UnsupportedDesign.
-LoadedSegment load_segment(const Design& design, std::size_t index);
+LoadedSegment load_segment(PreparedResponses& responses, std::size_t index);
 
 /// A number of an equilibrium that should stay within a limit, the limit itself included.
 struct Measure {

@@ -49,10 +49,10 @@ CheckFindings drawing_findings(const Segment& segment, int number) {
   return findings;
 }
 
-std::optional<UnitedLattice> united_lattice(const Segment& segment, int number,
+std::optional<UnitedLattice> united_lattice(LatticeDrawing& drawing, int number,
                                             CheckFindings& findings) {
   try {
-    return UnitedLattice{segment, number, lattice_plane(segment)};
+    return UnitedLattice{drawing.segment(), number, lattice_plane(drawing)};
   } catch (const GeometryError& fault) {
     findings.push_back(cannot_draw(number, fault.what()));
     return std::nullopt;
@@ -115,7 +115,8 @@ void check_use(const UnitedLattice& lattice, const LatticeUse& use, const FreePr
   check_bridges(lattice, free, findings);
 }
 
-void check_lattice(const Design& design, std::size_t s, CheckFindings& findings) {
+void check_lattice(const Design& design, PreparedLattices& lattices, std::size_t s,
+                   CheckFindings& findings) {
   const Segment& segment = design.segments[s];
   const int number = static_cast<int>(s) + 1;
   const std::vector<LatticeUse> uses = lattice_uses(design);
@@ -125,7 +126,7 @@ void check_lattice(const Design& design, std::size_t s, CheckFindings& findings)
     if (drawn) append(findings, std::move(problems));
     return;
   }
-  const auto lattice = united_lattice(segment, number, findings);
+  const auto lattice = united_lattice(lattices.of(s), number, findings);
   if (!lattice) return;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     CheckFindings more;
@@ -185,10 +186,10 @@ double least_slope_deg(const Segment& segment, const Grid& grid) {
   return degrees(std::atan(std::tan(radians(slope)) / stretch));
 }
 
-CheckFindings print_checks(const Design& design) {
+CheckFindings print_checks(const Design& design, PreparedLattices& lattices) {
   CheckFindings findings;
   for (std::size_t s = 0; s < design.segments.size(); ++s) {
-    if (design.segments[s].lattice) check_lattice(design, s, findings);
+    if (design.segments[s].lattice) check_lattice(design, lattices, s, findings);
     if (design.make.liner) check_printed_liner(design, s, findings);
     check_bed(design, s, findings);
   }

@@ -5,6 +5,7 @@
 
 #include "checks/check_finding.h"
 #include "design/design.h"
+#include "prepared/prepared_lattices.h"
 
 namespace latticast {
 
@@ -22,6 +23,7 @@ double least_slope_deg(const Segment& segment, const Grid& grid);
 /// Checks of what `[make]` asks to be printed (lattice_use.h), and of the lattice in the grooves of
 /// its mold. A lattice that is to be drawn and cannot be gets cannot-draw, and no checks of what
 /// would be drawn; one that is only predicted (columns = "rods") may be anything.
-CheckFindings print_checks(const Design& design);
+/// `lattices` are those of the design, or of one with the same segments.
+CheckFindings print_checks(const Design& design, PreparedLattices& lattices);
 
 }  // namespace latticast

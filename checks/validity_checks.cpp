@@ -58,14 +58,11 @@ struct Band {
   double factor = 1;
 };
 
-void add_band(const LoadedSegment& loaded, const ModelChoice& model, const Band& band,
-              CheckFindings& findings) {
+void add_band(const LoadedSegment& loaded, const Band& band, CheckFindings& findings) {
   const State& stated = *loaded.states().back();
-  Segment other = *loaded.segment;
-  Law& law = band.part == "liner" ? other.liner.material.law : other.lattice->material.law;
-  law = scaled(law, band.factor);
-  const PreparedSegment prepared = prepare_segment(other, model, laws_of(loaded.prepared));
-  const Response response = predict(prepared, std::array{stated.pressure_kpa});
+  const ModulusFactors factors =
+      band.part == "liner" ? ModulusFactors{band.factor, 1} : ModulusFactors{1, band.factor};
+  const Response& response = loaded.response_at({stated.pressure_kpa}, factors);
   CheckFinding finding = check_finding("modulus-band");
   finding.segment = loaded.number;
   finding.part = band.part;
@@ -75,8 +72,8 @@ void add_band(const LoadedSegment& loaded, const ModelChoice& model, const Band&
   if (!response.states[0]) {
     change = response.message;
   } else {
-    const auto before = quantities(other, stated);
-    const auto after = quantities(other, *response.states[0]);
+    const auto before = quantities(*loaded.segment, stated);
+    const auto after = quantities(*loaded.segment, *response.states[0]);
     double largest = 0;
     for (std::size_t i = 0; i < before.size(); ++i) {
       if (std::abs(before[i].value) < 0.1) continue;  // nothing that one would see
@@ -95,12 +92,12 @@ void add_band(const LoadedSegment& loaded, const ModelChoice& model, const Band&
   findings.push_back(std::move(finding));
 }
 
-void check_bands(const LoadedSegment& loaded, const ModelChoice& model, CheckFindings& findings) {
+void check_bands(const LoadedSegment& loaded, CheckFindings& findings) {
   const std::vector<const State*> states = loaded.states();
   if (states.empty() || states.back()->pressure_kpa == 0) return;
   const auto check = [&](const std::string& part, const std::optional<double>& factor) {
     // A change that small can hardly move anything by a fifth.
-    if (factor && std::abs(*factor - 1) > 0.05) add_band(loaded, model, {part, *factor}, findings);
+    if (factor && std::abs(*factor - 1) > 0.05) add_band(loaded, {part, *factor}, findings);
   };
   const Material& liner = loaded.segment->liner.material;
   check("liner", liner.modulus_low_factor);
@@ -113,10 +110,9 @@ void check_bands(const LoadedSegment& loaded, const ModelChoice& model, CheckFin
 
 }  // namespace
 
-void check_validity(const LoadedSegment& loaded, const ModelChoice& model,
-                    CheckFindings& findings) {
+void check_validity(const LoadedSegment& loaded, CheckFindings& findings) {
   check_angles(loaded, findings);
-  check_bands(loaded, model, findings);
+  check_bands(loaded, findings);
 }
 
 }  // namespace latticast

@@ -8,6 +8,6 @@
 namespace latticast {
 
 /// Adds the findings angle-out-of-range, modulus-band.
-void check_validity(const LoadedSegment& loaded, const ModelChoice& model, CheckFindings& findings);
+void check_validity(const LoadedSegment& loaded, CheckFindings& findings);
 
 }  // namespace latticast

@@ -20,16 +20,6 @@ std::vector<double> distinct_pressures(std::span<const LoadCase> cases, std::siz
   return pressures;
 }
 
-// Those that a segment can use: all laws of a long chain would be too many to hand to each segment.
-HorseshoeLaws known_laws(const LawsByShape& laws, const Segment& segment) {
-  HorseshoeLaws known;
-  for (const HorseshoeShape& shape : link_shapes(segment)) {
-    const auto found = laws.find(shape);
-    if (found != laws.end()) known.push_back(found->second);
-  }
-  return known;
-}
-
 // Before sorting, whose order a NaN would break.
 void check_cases(std::span<const LoadCase> cases, std::size_t segments) {
   const auto is_finite = [](double pressure) { return std::isfinite(pressure); };
@@ -46,15 +36,23 @@ void check_cases(std::span<const LoadCase> cases, std::size_t segments) {
 
 ChainResponse predict_chain(std::span<const Segment> segments, const ModelChoice& model,
                             std::span<const LoadCase> cases) {
-  check_cases(cases, segments.size());
-  ChainResponse chain{{cases.begin(), cases.end()}, {}, {}};
   LawsByShape laws;
-  for (std::size_t s = 0; s < segments.size(); ++s) {
-    const PreparedSegment prepared =
-        prepare_segment(segments[s], model, known_laws(laws, segments[s]));
-    for (const auto& law : laws_of(prepared)) laws.emplace(law->shape(), law);
+  return predict_chain(segments.size(), cases,
+                       [&](std::size_t s, const std::vector<double>& pressures_kpa) {
+                         const PreparedSegment prepared =
+                             prepare_segment(segments[s], model, known_laws(laws, segments[s]));
+                         for (const auto& law : laws_of(prepared)) laws.emplace(law->shape(), law);
+                         return predict(prepared, pressures_kpa);
+                       });
+}
+
+ChainResponse predict_chain(std::size_t segments, std::span<const LoadCase> cases,
+                            const PredictSegment& predict_segment) {
+  check_cases(cases, segments);
+  ChainResponse chain{{cases.begin(), cases.end()}, {}, {}};
+  for (std::size_t s = 0; s < segments; ++s) {
     chain.pressures_kpa.push_back(distinct_pressures(cases, s));
-    chain.responses.push_back(predict(prepared, chain.pressures_kpa.back()));
+    chain.responses.push_back(predict_segment(s, chain.pressures_kpa.back()));
   }
   return chain;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,6 +27,14 @@ struct ChainResponse {
 /// without exactly one finite pressure per segment, and as prepare_segment does.
 ChainResponse predict_chain(std::span<const Segment> segments, const ModelChoice& model,
                             std::span<const LoadCase> cases);
+
+/// The response of one of the chain's segments at distinct, rising pressures in kPa.
+using PredictSegment =
+    std::function<Response(std::size_t segment, const std::vector<double>& pressures_kpa)>;
+
+/// The same from the segments' responses, whoever solves them.
+ChainResponse predict_chain(std::size_t segments, std::span<const LoadCase> cases,
+                            const PredictSegment& predict_segment);
 
 /// One segment's state in a case; empty where it has no equilibrium.
 const std::optional<State>& state_in(const ChainResponse& chain, std::size_t load_case,

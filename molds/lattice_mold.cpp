@@ -127,10 +127,10 @@ std::vector<StrapGroove> place_straps(double length, double rim, const std::vect
 
 // Where an arc or a bore grazes another outline, the walls on either side may leave their surfaces
 // by more than the land between them is broad. Finer walls keep apart.
-Solid clear_shell_solid(const LatticeMoldPlan& plan, int piece) {
+Solid clear_shell_solid(const LatticeMoldPlan& plan, const Shell& closed, int piece) {
   double tolerance = plan.options.fit.tolerance_mm;
   for (int i = 0; i < most_refinements; ++i, tolerance /= 4) {
-    Solid solid = shell_solid(plan.shell, piece, tolerance);
+    Solid solid = shell_solid(i == 0 ? closed : plan.shell, piece, tolerance);
     if (!intersects_itself(solid.mesh)) return solid;
   }
   throw GeometryError(
@@ -140,9 +140,10 @@ Solid clear_shell_solid(const LatticeMoldPlan& plan, int piece) {
 
 Mold shell_pieces(const LatticeMoldPlan& plan) {
   const Shell& shell = plan.shell;
+  const Shell closed = with_closed_lattice(shell, plan.options.fit.tolerance_mm);
   Mold mold;
   for (int k = 0; k < shell.parting.pieces; ++k) {
-    mold.pieces.push_back({fmt::format("shell-{}", k + 1), clear_shell_solid(plan, k),
+    mold.pieces.push_back({fmt::format("shell-{}", k + 1), clear_shell_solid(plan, closed, k),
                            "grooved shell, strapped around the core", true,
                            std::remainder(pull_rad(shell.parting, k), 2 * pi)});
     if (mold.pieces.back().solid.pieces != 1) {
@@ -239,9 +240,14 @@ void add_notes(const LatticeMoldPlan& plan, Mold& mold) {
 }  // namespace
 
 LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptions& options) {
+  LatticeDrawing drawing(segment);
+  return plan_lattice_mold(drawing, options);
+}
+
+LatticeMoldPlan plan_lattice_mold(LatticeDrawing& drawing, const LatticeMoldOptions& options) {
   LatticeMoldPlan plan;
   plan.options = options;
-  plan.segment = grown(segment, options.fit.growth);
+  plan.segment = grown(drawing.segment(), options.fit.growth);
   MoldFit& fit = plan.options.fit;
   const Segment& s = plan.segment;
   refuse_impossible(s, fit);
@@ -257,11 +263,10 @@ LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptio
   shell.strap_radius_mm = shell.outer_radius_mm - std::min(strap_depth_mm, fit.wall_mm / 3);
 
   const double flatness = 0.5 * fit.tolerance_mm * s.lattice_mid_radius_mm() / s.outer_radius_mm();
-  const Pattern drawn = draw_lattice(s, flatness);
-  const Pattern strands = raised(drawn, plan.land_mm);
-  const double fillet = s.lattice->fillet_mm;
-  shell.lattice =
-      fillet > 0 ? raised(with_fillets(drawn, fillet, flatness), plan.land_mm) : strands;
+  LatticeDrawing larger(s);
+  LatticeDrawing& drawn = options.fit.growth == 1 ? drawing : larger;
+  const Pattern strands = raised(drawn.strands(flatness), plan.land_mm);
+  shell.lattice = raised(drawn.outlines(flatness), plan.land_mm);
   shell.parting = choose_parting(
       strands, {options.pieces, options.allowed_strain, fit.clearance_mm}, shell.cast);
   refuse_narrow_pieces(shell.parting, fit.clearance_mm);

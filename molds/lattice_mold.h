@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/solid/lattice_drawing.h"
 #include "molds/cannot_mold.h"
 #include "molds/mold_piece.h"
 #include "molds/shell.h"
@@ -29,10 +30,12 @@ struct LatticeMoldPlan {
 };
 
 /// Draws the lattice, parts the shell and places sprues, vents and straps. A tolerance above a
-/// fifth of the clearance is refined to that. Precondition: a validated segment with a lattice, 2
-/// pieces or more. Throws CannotMold (no wall, no clearance, a clearance as large as the wall or
-/// the lattice's layer, pieces without breadth), CannotDraw and GeometryError (pattern.h,
-/// arrangement.h).
+/// fifth of the clearance is refined to that. Precondition: 2 pieces or more. Throws CannotMold (no
+/// wall, no clearance, a clearance as large as the wall or the lattice's layer, pieces without
+/// breadth), CannotDraw and GeometryError (pattern.h, arrangement.h).
+LatticeMoldPlan plan_lattice_mold(LatticeDrawing& drawing, const LatticeMoldOptions& options);
+
+/// Of a segment that is drawn for this mold alone.
 LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptions& options);
 
 /// How large the widest and the highest piece are, in printing pose: base and cap, and the core.

@@ -313,7 +313,7 @@ LinerCavity liner_cavity(const Segment& segment, const LinerMoldOptions& options
   return cavity;
 }
 
-Mold liner_mold(const Segment& segment, const LinerMoldOptions& options) {
+Mold liner_mold(const Segment& segment, const LinerMoldOptions& options, LatticeDrawing* drawing) {
   const Frame frame = make_frame(liner_cavity(segment, options), options);
   Mold mold;
   add_core_and_base(mold, frame);
@@ -323,7 +323,8 @@ Mold liner_mold(const Segment& segment, const LinerMoldOptions& options) {
   if (options.keyed) {
     SolidOptions lattice;
     lattice.tolerance_mm = options.fit.tolerance_mm;
-    mold.cavity_mm3 -= lattice_solid(segment, lattice).volume_mm3;
+    LatticeDrawing own(segment);
+    mold.cavity_mm3 -= lattice_solid(drawing != nullptr ? *drawing : own, lattice).volume_mm3;
   }
   mold.notes = notes_of(frame, options);
   return mold;

@@ -51,6 +51,8 @@ LinerCavity liner_cavity(const Segment& segment, const LinerMoldOptions& options
 /// the cavity's volume, less the lattice's in a keyed mold.
 /// Throws CannotMold as liner_cavity does, and where the pieces would be too narrow for their
 /// seams; GeometryError, CannotDraw for a keyed mold (tube_solids.h).
-Mold liner_mold(const Segment& segment, const LinerMoldOptions& options);
+/// `drawing` is the segment's, for a keyed mold; without one it is drawn for this mold alone.
+Mold liner_mold(const Segment& segment, const LinerMoldOptions& options,
+                LatticeDrawing* drawing = nullptr);
 
 }  // namespace latticast

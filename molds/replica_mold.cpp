@@ -102,7 +102,10 @@ void add_notes(const LatticeMoldPlan& plan, double lattice_mm3, Mold& mold) {
 }  // namespace
 
 Mold replica_mold(const Segment& segment, const LatticeMoldOptions& options) {
-  const LatticeMoldPlan plan = plan_lattice_mold(segment, options);
+  return replica_mold(plan_lattice_mold(segment, options));
+}
+
+Mold replica_mold(const LatticeMoldPlan& plan) {
   const Segment tube = flexible_tube(plan);
   LinerMoldOptions box;
   box.fit = plan.options.fit;

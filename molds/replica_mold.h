@@ -16,6 +16,9 @@ inline constexpr double replica_rubber_mm = 8;  ///< flexible rubber over the la
 /// thick over the lattice and as long as a direct mold's shell. No seam meets the lattice, and no
 /// strand is squeezed but by soft rubber: `pieces` and `allowed_strain` do not matter. cavity_mm3
 /// is what the flexible mold takes. Throws as lattice_mold and liner_mold do.
+Mold replica_mold(const LatticeMoldPlan& plan);
+
+/// Plans the lattice's mold for itself.
 Mold replica_mold(const Segment& segment, const LatticeMoldOptions& options);
 
 }  // namespace latticast

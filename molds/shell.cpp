@@ -21,6 +21,21 @@ Layers shell_layers(unsigned sheets) {
   return 2U | (land ? 1U : 0U) | (full ? 4U : 0U);
 }
 
+// The sheet of the lattice, on which the pieces' own are laid.
+LayeredTube tube_of(const Shell& shell) {
+  LayeredTube tube;
+  tube.drawn_radius_mm = shell.parting.drawn_radius_mm;
+  tube.length_mm = shell.lattice.length_mm;
+  tube.start_z_mm = shell.start_z_mm;
+  tube.sheets = {shell.lattice};
+  tube.filling = shell_layers;
+  tube.layers = {{shell.cast.floor_mm + 0.5 * shell.clearance_mm, shell.cast.ceiling_mm},
+                 {shell.cast.ceiling_mm, shell.strap_radius_mm},
+                 {shell.strap_radius_mm, shell.outer_radius_mm}};
+  tube.steepness = 1;
+  return tube;
+}
+
 }  // namespace
 
 Strand drawn_piece(const Shell& shell, int piece) {
@@ -38,6 +53,12 @@ Strand drawn_piece(const Shell& shell, int piece) {
   return outline;
 }
 
+Shell with_closed_lattice(Shell shell, double tolerance_mm) {
+  shell.lattice = closed_sheet_0(tube_of(shell), tolerance_mm);
+  shell.closed_for_mm = tolerance_mm;
+  return shell;
+}
+
 Solid shell_solid(const Shell& shell, int piece, double tolerance_mm) {
   const double drawn = shell.parting.drawn_radius_mm;
   const double around = shell.lattice.circumference_mm;
@@ -52,17 +73,11 @@ Solid shell_solid(const Shell& shell, int piece, double tolerance_mm) {
   for (const StrapGroove& groove : shell.straps) {
     straps.strands.push_back(drawn_band(drawn, groove.from_mm, groove.to_mm));
   }
-  LayeredTube tube;
-  tube.drawn_radius_mm = drawn;
-  tube.length_mm = length;
-  tube.start_z_mm = shell.start_z_mm;
-  tube.sheets = {shell.lattice, Pattern{around, length, {drawn_piece(shell, piece)}},
-                 std::move(bores), std::move(straps)};
-  tube.filling = shell_layers;
-  tube.layers = {{shell.cast.floor_mm + 0.5 * shell.clearance_mm, shell.cast.ceiling_mm},
-                 {shell.cast.ceiling_mm, shell.strap_radius_mm},
-                 {shell.strap_radius_mm, shell.outer_radius_mm}};
-  tube.steepness = 1;
+  LayeredTube tube = tube_of(shell);
+  tube.sheets.push_back({around, length, {drawn_piece(shell, piece)}});
+  tube.sheets.push_back(std::move(bores));
+  tube.sheets.push_back(std::move(straps));
+  tube.sheet_0_is_closed = shell.closed_for_mm == tolerance_mm;
   return layered_solid(tube, tolerance_mm);
 }
 

@@ -3,6 +3,7 @@
 // bores and the straps.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/solid/tube_solids.h"
@@ -30,10 +31,15 @@ struct Shell {
   double clearance_mm = 0;  ///< across every seam at the lattice's mid radius, and on the core's
                             ///< diameter
   double start_z_mm = 0;    ///< of the shell's lower end
+  std::optional<double> closed_for_mm;  ///< tolerance for which `lattice` is closed
 };
 
 /// What a piece covers, drawn in the plane: its sector, half the clearance back from both seams.
 Strand drawn_piece(const Shell& shell, int piece);
+
+/// The shell with its lattice closed where it touches itself in points, once for all pieces of this
+/// tolerance. Throws GeometryError.
+Shell with_closed_lattice(Shell shell, double tolerance_mm);
 
 /// One piece, in one part. Throws GeometryError as layered_solid does.
 Solid shell_solid(const Shell& shell, int piece, double tolerance_mm);

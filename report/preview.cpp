@@ -115,9 +115,9 @@ std::vector<double> standing_places(const std::vector<Reach>& reaches) {
 
 }  // namespace
 
-std::vector<PreviewShape> predict_preview(const Design& design) {
-  const ChainResponse chain =
-      predict_chain(design.segments, design.model, design.make.preview->cases);
+std::vector<PreviewShape> predict_preview(PreparedResponses& responses) {
+  const Design& design = responses.design();
+  const ChainResponse chain = responses.chain(design.make.preview->cases);
   std::vector<PreviewShape> shapes;
   std::set<std::string> seen;
   for (std::size_t i = 0; i < chain.cases.size(); ++i) {

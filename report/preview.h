@@ -11,6 +11,7 @@
 #include "export/picture/picture.h"
 #include "geometry/solid/tube_solids.h"
 #include "model/chain.h"
+#include "prepared/prepared_responses.h"
 
 namespace latticast {
 
@@ -32,7 +33,7 @@ struct PreviewShape {
 
 /// Shapes in the cases that [make] preview names, each case once. Throws NoEquilibrium,
 /// UnsupportedDesign.
-std::vector<PreviewShape> predict_preview(const Design& design);
+std::vector<PreviewShape> predict_preview(PreparedResponses& responses);
 
 /// How a segment's rest meshes must be cut so that they keep the tolerance in all of the shapes.
 SolidOptions preview_options(const Design& design, std::size_t segment, double start_z_mm,

@@ -43,14 +43,12 @@ std::set<double> toward_ends(const Response& response, const std::set<double>& p
   return more;
 }
 
-ResponseCurve predict_curve(const Segment& segment, const ModelChoice& model,
+ResponseCurve predict_curve(PreparedResponses& responses, std::size_t segment,
                             const std::vector<double>& asked) {
   std::set<double> pressures = even_pressures(asked);
-  const auto predicted = [&](bool with_bands) {
-    return predict_segment(segment, model, {pressures.begin(), pressures.end()}, {}, with_bands);
-  };
-  pressures.merge(toward_ends(predicted(false).response, pressures));
-  ResponseCurve curve{predicted(true), {}};
+  const auto listed = [&] { return std::vector<double>(pressures.begin(), pressures.end()); };
+  pressures.merge(toward_ends(responses.response(segment, listed()), pressures));
+  ResponseCurve curve{responses.prediction(segment, listed(), true), {}};
   const std::set<double> named(asked.begin(), asked.end());
   for (const double pressure : pressures) curve.asked.push_back(named.count(pressure) > 0);
   return curve;
@@ -66,18 +64,18 @@ std::vector<State> ResponseCurve::states() const {
   return found;
 }
 
-ReportCurves predict_curves(const Design& design) {
+ReportCurves predict_curves(PreparedResponses& responses) {
+  const Design& design = responses.design();
   ReportCurves curves;
   for (std::size_t s = 0; s < design.segments.size(); ++s) {
-    curves.segments.push_back(
-        predict_curve(design.segments[s], design.model, segment_pressures_kpa(design, s, {})));
+    curves.segments.push_back(predict_curve(responses, s, segment_pressures_kpa(design, s, {})));
   }
   std::vector<LoadCase> cases = design.load;
   if (cases.size() > most_cases) {
     curves.cases_left_out = cases.size() - most_cases;
     cases.resize(most_cases);
   }
-  curves.chain = predict_chain(design.segments, design.model, cases);
+  curves.chain = responses.chain(cases);
   return curves;
 }
 

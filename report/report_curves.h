@@ -7,6 +7,7 @@
 #include "design/design.h"
 #include "model/chain.h"
 #include "model/prediction.h"
+#include "prepared/prepared_responses.h"
 
 namespace latticast {
 
@@ -27,8 +28,8 @@ struct ReportCurves {
   std::size_t cases_left_out = 0;  ///< beyond the first 2000
 };
 
-/// Predicts every segment over its load, with modulus bands, and the chain in its load cases.
+/// Every segment over its load, with modulus bands, and the chain in its load cases.
 /// Precondition: the design has a load. Throws UnsupportedDesign.
-ReportCurves predict_curves(const Design& design);
+ReportCurves predict_curves(PreparedResponses& responses);
 
 }  // namespace latticast

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "checks/check_finding.h"
 #include "design/design.h"
 #include "report/report_curves.h"
 
@@ -51,7 +52,7 @@ struct ReportData {
   std::vector<ReportStage> plan;
   std::optional<ReportCurves> curves;  ///< absent without a load, or where nothing can be predicted
   std::string curves_missing;          ///< why
-  std::string checks_json;             ///< as `latticast check --format json` prints it
+  CheckFindings findings;
   std::vector<ReportPiece> pieces;
   std::vector<std::string> files;
   std::vector<ReportTime> times;

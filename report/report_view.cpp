@@ -82,12 +82,9 @@ std::vector<PreviewShape> shapes_of(const Segment& segment, const std::vector<St
   return shapes;
 }
 
-ViewBody make_body(const Segment& segment, std::size_t number, bool is_liner,
-                   const SolidOptions& options, const std::vector<PreviewShape>& shapes) {
-  ViewBody body{fmt::format("segment-{}-{}", number, is_liner ? "liner" : "lattice"),
-                is_liner,
-                (is_liner ? liner_solid(segment, options) : lattice_solid(segment, options)).mesh,
-                {}};
+ViewBody make_body(std::string node, bool is_liner, TriangleMesh rest,
+                   const std::vector<PreviewShape>& shapes) {
+  ViewBody body{std::move(node), is_liner, std::move(rest), {}};
   for (const PreviewShape& shape : shapes) {
     if (shape.states.front().pressure_kpa == 0) continue;
     body.poses.push_back(moved_mesh(body.rest, shape.shape, 0).vertices);
@@ -95,17 +92,21 @@ ViewBody make_body(const Segment& segment, std::size_t number, bool is_liner,
   return body;
 }
 
-ViewSegment make_segment(const Design& design, std::size_t s, const std::vector<State>& states,
+ViewSegment make_segment(PreparedDesign& prepared, std::size_t s, const std::vector<State>& states,
                          double tolerance_mm) {
-  const Segment& segment = design.segments[s];
+  const Segment& segment = prepared.design.segments[s];
   const std::vector<PreviewShape> shapes = shapes_of(segment, states);
   Design alone;
   alone.segments = {segment};
   alone.output.tolerance_mm = tolerance_mm;
   const SolidOptions options = preview_options(alone, 0, 0, shapes);
   ViewSegment view{{}, states};
-  if (segment.lattice) view.bodies.push_back(make_body(segment, s + 1, false, options, shapes));
-  view.bodies.push_back(make_body(segment, s + 1, true, options, shapes));
+  if (segment.lattice) {
+    view.bodies.push_back(make_body(fmt::format("segment-{}-lattice", s + 1), false,
+                                    lattice_solid(prepared.lattices.of(s), options).mesh, shapes));
+  }
+  view.bodies.push_back(make_body(fmt::format("segment-{}-liner", s + 1), true,
+                                  liner_solid(segment, options).mesh, shapes));
   return view;
 }
 
@@ -190,7 +191,8 @@ Json markers_json(const ReportView& view, const Design& design, const CheckFindi
 
 }  // namespace
 
-ReportView make_view(const Design& design, const ReportCurves* curves) {
+ReportView make_view(PreparedDesign& prepared, const ReportCurves* curves) {
+  const Design& design = prepared.design;
   std::vector<std::vector<State>> states;
   for (std::size_t s = 0; s < design.segments.size(); ++s) {
     states.push_back(states_of(design, curves, s));
@@ -201,7 +203,7 @@ ReportView make_view(const Design& design, const ReportCurves* curves) {
        view.tolerance_mm *= size_of(view) > 3 * most_vertices ? 4 : 2) {
     view.segments.clear();
     for (std::size_t s = 0; s < design.segments.size(); ++s) {
-      view.segments.push_back(make_segment(design, s, states[s], view.tolerance_mm));
+      view.segments.push_back(make_segment(prepared, s, states[s], view.tolerance_mm));
     }
     if (size_of(view) <= most_vertices || 2 * view.tolerance_mm > coarsest_mm) break;
   }

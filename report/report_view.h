@@ -10,6 +10,7 @@
 #include "design/design.h"
 #include "export/colour.h"
 #include "geometry/mesh/triangle_mesh.h"
+#include "prepared/prepared_design.h"
 #include "report/report_curves.h"
 
 namespace latticast {
@@ -38,7 +39,7 @@ struct ReportView {
 /// as fine as 0.05 mm, or the design's tolerance where that is coarser, as long as all vertices in
 /// all states stay below 110 000; otherwise coarser, up to 1 mm. Without curves only rest is shown.
 /// Throws GeometryError, CannotDraw.
-ReportView make_view(const Design& design, const ReportCurves* curves);
+ReportView make_view(PreparedDesign& prepared, const ReportCurves* curves);
 
 /// The view without its meshes, as the report's page reads it (docs/report.md): states with the far
 /// end's place, load cases, and a place for every finding that has one.

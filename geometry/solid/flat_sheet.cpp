@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "geometry/solid/arrangement.h"
-#include "geometry/solid/fillet.h"
 #include "geometry/solid/region.h"
 
 namespace latticast {
@@ -89,17 +88,20 @@ Strand diamond(double z_mm, double half_mm, double length_mm) {
            {-half_mm, z_mm}}};
 }
 
-Region slit_region(Pattern pattern, const PlaneGrid& grid, double closing_mm) {
+Region slit_region(LatticeDrawing& drawing, double flatness_mm, const PlaneGrid& grid,
+                   double closing_mm) {
   const double half =
       std::max(closing_mm, fewest_steps_across * std::max(grid.u_step_mm, grid.z_step_mm));
+  Region region = drawing.united(flatness_mm, grid, {}, closing_mm);
+  Pattern pattern = drawing.outlines(flatness_mm);
   for (int round = 0; round < most_slit_rounds; ++round) {
-    Region region = unite(pattern, grid, {}, closing_mm);
     const std::vector<std::int32_t> tips = slit_tips(region);
     if (tips.empty()) return region;
     for (const std::int32_t z : tips) {
       pattern.strands.push_back(diamond(z * grid.z_step_mm, half, pattern.length_mm));
     }
     pattern.error += {half, 2 * half * half * static_cast<double>(tips.size())};
+    region = unite(pattern, grid, {}, closing_mm);
   }
   throw GeometryError(
       "the slit meets openings in points that cannot be closed; change an angle, a "
@@ -230,17 +232,21 @@ std::vector<PlanePoint> in_mm(const Loop& loop, const PlaneGrid& grid, double le
 }  // namespace
 
 FlatSheet flat_sheet(const Segment& segment, double tolerance_mm) {
-  const Lattice& lattice = *segment.lattice;
+  LatticeDrawing drawing(segment);
+  return flat_sheet(drawing, tolerance_mm);
+}
+
+FlatSheet flat_sheet(LatticeDrawing& drawing, double tolerance_mm) {
+  const Lattice& lattice = *drawing.segment().lattice;
   const double flatness_mm = flatness_of(lattice, tolerance_mm);
-  Pattern pattern = draw_lattice(segment, flatness_mm);
-  if (lattice.fillet_mm > 0) pattern = with_fillets(pattern, lattice.fillet_mm, flatness_mm);
+  const Pattern& pattern = drawing.outlines(flatness_mm);
   const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, pattern.length_mm, few_columns);
   check_widths(lattice, grid);
   FlatSheet sheet;
-  sheet.radius_mm = segment.lattice_mid_radius_mm();
+  sheet.radius_mm = drawing.segment().lattice_mid_radius_mm();
   sheet.circumference_mm = pattern.circumference_mm;
   sheet.length_mm = pattern.length_mm;
-  const Region region = slit_region(std::move(pattern), grid, tolerance_mm);
+  const Region region = slit_region(drawing, flatness_mm, grid, tolerance_mm);
   sheet.error = region_error(region);
   sheet.area_mm2 = area_mm2(region);
   for (const PieceLoops& piece : pieces_of(loops_of(region))) {

@@ -7,6 +7,7 @@
 
 #include "design/design.h"
 #include "geometry/pattern/pattern.h"
+#include "geometry/solid/lattice_drawing.h"
 
 namespace latticast {
 
@@ -43,6 +44,9 @@ struct FlatSheet {
 /// pieces around a hole for every hole. Precondition: a validated segment with a lattice. Throws
 /// CannotDraw (pattern.h), and GeometryError (arrangement.h) also for strands thinner than 16
 /// steps.
+FlatSheet flat_sheet(LatticeDrawing& drawing, double tolerance_mm);
+
+/// Of a segment that is drawn for this sheet alone.
 FlatSheet flat_sheet(const Segment& segment, double tolerance_mm);
 
 }  // namespace latticast

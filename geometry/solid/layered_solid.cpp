@@ -13,16 +13,21 @@ namespace {
 constexpr double on_radius = 0.005;  // of the radius: corners and chords lie this near to it
 constexpr double on_height_mm = 1e-6;
 
+PlaneGrid grid_of(const LayeredTube& tube, double tolerance_mm) {
+  const double circumference = 2 * std::numbers::pi * tube.drawn_radius_mm;
+  const double outer = tube.layers.back().ceiling_mm;
+  return make_plane_grid(circumference, tube.length_mm, columns_for(outer, tolerance_mm),
+                         finest_step_mm, tube.start_z_mm);
+}
+
 }  // namespace
 
 Solid layered_solid(const LayeredTube& tube, double tolerance_mm) {
-  const double circumference = 2 * std::numbers::pi * tube.drawn_radius_mm;
-  const double outer = tube.layers.back().ceiling_mm;
-  const PlaneGrid grid =
-      make_plane_grid(circumference, tube.length_mm, columns_for(outer, tolerance_mm),
-                      finest_step_mm, tube.start_z_mm);
+  const PlaneGrid grid = grid_of(tube, tolerance_mm);
   std::vector<Pattern> sheets = tube.sheets;
-  sheets[0] = closed_pattern(std::move(sheets[0]), grid, tolerance_mm);
+  if (!tube.sheet_0_is_closed) {
+    sheets[0] = closed_pattern(std::move(sheets[0]), grid, tolerance_mm);
+  }
   std::vector<std::int32_t> cuts;
   for (const double z : tube.cuts_mm) {
     cuts.push_back(static_cast<std::int32_t>(std::lround(z / grid.z_step_mm)));
@@ -45,6 +50,10 @@ Solid layered_solid(const LayeredTube& tube, double tolerance_mm) {
   solid.pieces = counted.pieces;
   solid.genus = counted.genus;
   return solid;
+}
+
+Pattern closed_sheet_0(const LayeredTube& tube, double tolerance_mm) {
+  return closed_pattern(tube.sheets[0], grid_of(tube, tolerance_mm), tolerance_mm);
 }
 
 Strand drawn_band(double drawn_radius_mm, double z_from_mm, double z_to_mm) {

@@ -29,6 +29,7 @@ struct LayeredTube {
   std::vector<double> cuts_mm;  ///< heights at which all walls are cut, rising, between the ends
   double steepness =
       0;  ///< of the steepest wall (relief.h): 0 when all run along or around the tube
+  bool sheet_0_is_closed = false;  ///< by closed_sheet_0() for the tolerance of the solid
 };
 
 /// The solid, within `tolerance_mm` of the true cylinders and walls. Its exact volume is the sum
@@ -36,6 +37,10 @@ struct LayeredTube {
 /// topology() (relief.h, whose precondition on neighbouring layers holds here too). Throws
 /// GeometryError where edges of different sheets meet in a point: move one of them.
 Solid layered_solid(const LayeredTube& tube, double tolerance_mm);
+
+/// Sheet 0 with its touching points closed as layered_solid closes them, for tubes that share it.
+/// Throws GeometryError as closed_pattern does (region.h).
+Pattern closed_sheet_0(const LayeredTube& tube, double tolerance_mm);
 
 /// A level band all around the tube, and a rectangle of it, to draw with; z from 0.
 Strand drawn_band(double drawn_radius_mm, double z_from_mm, double z_to_mm);

@@ -3,12 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <span>
 
 #include "geometry/mesh/weld.h"
 #include "geometry/pattern/pattern.h"
 #include "geometry/solid/arrangement.h"
-#include "geometry/solid/fillet.h"
 #include "geometry/solid/region.h"
 #include "geometry/solid/relief.h"
 #include "geometry/solid/self_intersection.h"
@@ -23,16 +24,17 @@ constexpr double column_share = 0.85;  // for columns then: at rims both count, 
 constexpr double coarser = 4;          // grid steps where arcs graze other outlines
 constexpr double coarsest_step_share = 0.05;  // of the tolerance
 
+using Unite = std::function<Region(const PlaneGrid&, std::span<const std::int32_t> cuts)>;
+
 // What is drawn, and between which radii it stands.
 struct Layer {
-  Pattern pattern;
+  double circumference_mm = 0;  // of the plane
+  Unite united;
   double floor_mm = 0;
   double ceiling_mm = 0;
   double steepness = 0;  // of its walls (relief.h)
   double wall_tolerance_mm = 0;
   double thinnest_strand_mm = HUGE_VAL;
-  double fillet_mm = 0;
-  double flatness_mm = 0;  // of fillets
   bool has_arcs = false;
 };
 
@@ -148,12 +150,12 @@ struct Fineness {
 
 LaidOut lay_out(const Segment& segment, const SolidOptions& options, const Layer& layer,
                 const Fineness& fineness) {
-  const PlaneGrid grid = make_plane_grid(layer.pattern.circumference_mm, segment.length_mm,
+  const PlaneGrid grid = make_plane_grid(layer.circumference_mm, segment.length_mm,
                                          columns_of(segment, options, layer.has_arcs),
                                          fineness.step_mm, options.start_z_mm);
   check_widths(layer, grid);
   const Cutting cut = cutting(segment, options, grid);
-  Region region = unite(layer.pattern, grid, cut.heights, options.tolerance_mm);
+  Region region = layer.united(grid, cut.heights);
   const double tolerance = layer.wall_tolerance_mm / fineness.levels;
   Relief relief{triangulate(region),
                 {wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
@@ -196,14 +198,11 @@ double outline_length_mm(const PlaneMesh& plane) {
   return length;
 }
 
-Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer layer) {
-  if (layer.fillet_mm > 0) {
-    layer.pattern = with_fillets(layer.pattern, layer.fillet_mm, layer.flatness_mm);
-  }
+Solid wrap_layer(const Segment& segment, const SolidOptions& options, const Layer& layer) {
   Solid solid;
   const LaidOut laid_out = lay_out_clear(segment, options, layer, solid.mesh);
   const double height = layer.ceiling_mm - layer.floor_mm;
-  const double mid_radius = layer.pattern.circumference_mm / (2 * std::numbers::pi);
+  const double mid_radius = layer.circumference_mm / (2 * std::numbers::pi);
   const double both_radii = layer.ceiling_mm + layer.floor_mm;
   const double area = area_mm2(laid_out.region);
   solid.volume_mm3 = area * height * both_radii / (2 * mid_radius);
@@ -223,16 +222,24 @@ Solid wrap_layer(const Segment& segment, const SolidOptions& options, Layer laye
 }  // namespace
 
 Solid lattice_solid(const Segment& segment, const SolidOptions& options) {
+  LatticeDrawing drawing(segment);
+  return lattice_solid(drawing, options);
+}
+
+Solid lattice_solid(LatticeDrawing& drawing, const SolidOptions& options) {
+  const Segment& segment = drawing.segment();
   const Lattice& lattice = *segment.lattice;
   const double flatness = flatness_of(segment, options);
-  Layer layer{draw_lattice(segment, flatness),
+  const auto united = [&](const PlaneGrid& grid, std::span<const std::int32_t> cuts) {
+    return drawing.united(flatness, grid, cuts, options.tolerance_mm);
+  };
+  Layer layer{drawing.outlines(flatness).circumference_mm,
+              united,
               segment.liner_outer_radius_mm(),
               segment.outer_radius_mm(),
               steepest_slant(segment),
               (has_arcs(lattice) ? 1 - curve_share : 1) * options.tolerance_mm,
               thinnest_strand_mm(lattice),
-              lattice.fillet_mm,
-              flatness,
               has_arcs(lattice)};
   if (options.twist_rad_per_mm != 0 && !lattice.grids.empty()) {
     // Along a cut's height walls turn as much again as around a column. Flat ones, halved by a
@@ -240,15 +247,18 @@ Solid lattice_solid(const Segment& segment, const SolidOptions& options) {
     layer.steepness = 1;
     layer.wall_tolerance_mm /= 4;
   }
-  return wrap_layer(segment, options, std::move(layer));
+  return wrap_layer(segment, options, layer);
 }
 
 Solid liner_solid(const Segment& segment, const SolidOptions& options) {
   const double inner = segment.inner_radius_mm();
   const double outer = segment.liner_outer_radius_mm();
+  const Pattern sleeve = draw_sleeve(0.5 * (inner + outer), segment.length_mm);
+  const auto united = [&](const PlaneGrid& grid, std::span<const std::int32_t> cuts) {
+    return unite(sleeve, grid, cuts, options.tolerance_mm);
+  };
   return wrap_layer(segment, options,
-                    {draw_sleeve(0.5 * (inner + outer), segment.length_mm), inner, outer, 0,
-                     options.tolerance_mm});
+                    {sleeve.circumference_mm, united, inner, outer, 0, options.tolerance_mm});
 }
 
 }  // namespace latticast

@@ -4,6 +4,7 @@
 
 #include "design/design.h"
 #include "geometry/mesh/triangle_mesh.h"
+#include "geometry/solid/lattice_drawing.h"
 #include "geometry/solid/solid_error.h"
 
 namespace latticast {
@@ -32,6 +33,9 @@ struct Solid {
 /// The lattice layer R_m..R_o of a segment. Precondition: the segment has a lattice.
 /// Arcs and fillets stay within the tolerance of the true ones at every radius, chords and walls
 /// together. Throws GeometryError, CannotDraw (arrangement.h, pattern.h).
+Solid lattice_solid(LatticeDrawing& drawing, const SolidOptions& options);
+
+/// Of a segment that is drawn for this solid alone.
 Solid lattice_solid(const Segment& segment, const SolidOptions& options);
 
 /// The liner R_i..R_m, open at both ends.

@@ -54,4 +54,13 @@ LawsByShape build_laws(const Segment& segment, const HorseshoeLaws& known) {
   return laws;
 }
 
+HorseshoeLaws known_laws(const LawsByShape& laws, const Segment& segment) {
+  HorseshoeLaws known;
+  for (const HorseshoeShape& shape : link_shapes(segment)) {
+    const auto found = laws.find(shape);
+    if (found != laws.end()) known.push_back(found->second);
+  }
+  return known;
+}
+
 }  // namespace latticast

@@ -30,4 +30,8 @@ using LawsByShape =
 /// UnsupportedDesign for a shape outside of the law's scope.
 LawsByShape build_laws(const Segment& segment, const HorseshoeLaws& known);
 
+/// Those of `laws` that the segment can use: the laws of a long chain would be too many to hand to
+/// each of its segments.
+HorseshoeLaws known_laws(const LawsByShape& laws, const Segment& segment);
+
 }  // namespace latticast

@@ -36,8 +36,9 @@ export                   design geometry/mesh
 export/mesh              design geometry/mesh export/.
 export/picture           design geometry/mesh export/.
 export/flat              design export/.
-checks                   design geometry model molds
-report                   design geometry model molds export checks
+prepared                 design geometry model molds
+checks                   design geometry model molds prepared
+report                   design geometry model molds export prepared checks
 app                      *
 bench                    *
 tests                    *
@@ -167,12 +168,15 @@ include_violations() {
 licence_violations() {
   { grep -E '(\.(h|cpp|in|cmake|sh|py|toml)|(^|/)CMakeLists\.txt|^dev|^\.ci/run)$' || true; } |
     { grep -vE '^(examples|tests/golden|tests/checks)/' || true; } |
-    while read -r file; do
-      head -n 2 "$file" | awk -v file="$file" '
-        NR == 1 && /^#!/ { script = 1 }
-        NR == 1 + script && /^(\/\/|#) SPDX-License-Identifier: GPL-3\.0-or-later$/ { found = 1 }
-        END { if (!found) print file ":1: the SPDX licence line is missing" }'
-    done
+    xargs -d '\n' -r awk '
+      BEGIN { for (i = 1; i < ARGC; ++i) missing[ARGV[i]] = 1 }
+      FNR == 1 { script = /^#!/ }
+      FNR == 1 + script && /^(\/\/|#) SPDX-License-Identifier: GPL-3\.0-or-later$/ { delete missing[FILENAME] }
+      FNR > 1 { nextfile }
+      END {
+        for (i = 1; i < ARGC; ++i)
+          if (ARGV[i] in missing) print ARGV[i] ":1: the SPDX licence line is missing"
+      }'
 }
 
 machine_path_violations() {
@@ -183,7 +187,7 @@ machine_path_violations() {
 # All headers share one namespace: two types of one name would share their constructors, too, and the
 # linker keeps only one of each.
 repeated_type_violations() {
-  { grep -E '^(design|geometry|model|molds|export|checks|report|app|bench)/.*\.h$' || true; } |
+  { grep -E '^(design|geometry|model|molds|export|prepared|checks|report|app|bench)/.*\.h$' || true; } |
     { xargs -d '\n' -r grep -HnE '^(struct|class|enum class|union) +[A-Za-z0-9_]+( |:|[{]|$)' || true; } |
     awk -F: '
       {

@@ -11,17 +11,17 @@ namespace latticast {
 namespace {
 
 bool finds(const Design& design, std::string_view code) {
-  return !with_code(casting_checks(design), code).empty();
+  return !with_code(findings_in_casting(design), code).empty();
 }
 
 CheckFinding only(const Design& design, std::string_view code) {
-  const auto found = with_code(casting_checks(design), code);
+  const auto found = with_code(findings_in_casting(design), code);
   EXPECT_EQ(found.size(), 1U) << code;
   return found.empty() ? CheckFinding{} : found.front();
 }
 
 TEST(CastingChecks, LookAtNothingWithoutMolds) {
-  EXPECT_TRUE(casting_checks(printed(twisting_segment())).empty());
+  EXPECT_TRUE(findings_in_casting(printed(twisting_segment())).empty());
 }
 
 TEST(LatticeMold, ExtentIsThatOfItsLargestPieces) {
@@ -106,13 +106,13 @@ TEST(ExceedsBed, NamesPiecesOfMolds) {
   Design design = cast(twisting_segment());
   design.make.liner_mold.emplace();
   design.printer.bed_mm = {60, 60, 104};
-  const auto found = with_code(casting_checks(design), "exceeds-bed");
+  const auto found = with_code(findings_in_casting(design), "exceeds-bed");
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].part, "lattice-mold core");
   EXPECT_NEAR(*found[0].value, 85 + 2 * 10 - 0.3, 1e-9);
   design.printer.bed_mm = {50, 50, 200};
   std::vector<std::string> parts;
-  for (const CheckFinding& f : with_code(casting_checks(design), "exceeds-bed")) {
+  for (const CheckFinding& f : with_code(findings_in_casting(design), "exceeds-bed")) {
     parts.push_back(f.part);
   }
   EXPECT_EQ(parts,
@@ -123,7 +123,7 @@ TEST(CastingChecks, ReplicaMoldsHaveNoGrooves) {
   Design design = cast(twisting_segment());
   design.make.lattice_mold->method = MoldMethod::replica;
   design.make.lattice_mold->pieces = 2;
-  EXPECT_TRUE(casting_checks(design).empty());
+  EXPECT_TRUE(findings_in_casting(design).empty());
   design.printer.bed_mm = {40, 40, 300};
   EXPECT_TRUE(finds(design, "exceeds-bed"));
 }
@@ -151,7 +151,7 @@ TEST(CastingChecks, NeverThrow) {
     if (i % 3 == 0) design.make.lattice_mold->pieces = 2 + i;
     design.make.liner_mold.emplace();
     design.make.liner_mold->keyed = i % 4 == 0;
-    EXPECT_NO_THROW(casting_checks(design));
+    EXPECT_NO_THROW(findings_in_casting(design));
   }
 }
 

@@ -10,8 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "checks/casting_checks.h"
 #include "checks/check_finding.h"
+#include "checks/load_checks.h"
+#include "checks/print_checks.h"
 #include "design/design.h"
+#include "prepared/prepared_design.h"
 
 namespace latticast {
 
@@ -50,6 +54,21 @@ inline std::vector<CheckFinding> with_code(const CheckFindings& findings, std::s
     if (finding.code == code) found.push_back(finding);
   }
   return found;
+}
+
+inline CheckFindings findings_in_print(const Design& design) {
+  PreparedDesign prepared(design);
+  return print_checks(design, prepared.lattices);
+}
+
+inline CheckFindings findings_in_casting(const Design& design) {
+  PreparedDesign prepared(design);
+  return casting_checks(design, prepared.lattices, prepared.molds);
+}
+
+inline CheckFindings findings_under_load(const Design& design) {
+  PreparedDesign prepared(design);
+  return load_checks(prepared.responses);
 }
 
 /// The number behind `key` in a remedy; nothing where it does not name the key.

@@ -17,6 +17,7 @@
 #include "design/read_design.h"
 #include "model/segment_response.h"
 #include "model/shape/inflated_wall.h"
+#include "tests/unit/checks/checked_designs.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {
@@ -37,7 +38,7 @@ const CheckFinding* find(const CheckFindings& findings, std::string_view code) {
 }
 
 CheckFindings check(const Segment& segment, std::initializer_list<double> pressures_kpa) {
-  return load_checks(design_of(segment, pressures_kpa));
+  return findings_under_load(design_of(segment, pressures_kpa));
 }
 
 TEST(LoadChecks, SayNothingWithoutALoad) {
@@ -57,7 +58,7 @@ TEST(LoadChecks, RemediesPass) {
     const ReadResult read = read_design_file(folder.path() / "rejected.toml", built_in_materials());
     ASSERT_TRUE(read.ok()) << folder.path();
     const std::string code = folder.path().filename();
-    const CheckFindings findings = load_checks(read.design);
+    const CheckFindings findings = findings_under_load(read.design);
     const CheckFinding* finding = find(findings, code);
     if (finding == nullptr) continue;  // not a check under load
     const std::size_t at = finding->remedy.find(" to ");
@@ -66,7 +67,7 @@ TEST(LoadChecks, RemediesPass) {
     Design mended = read.design;
     mended.load = {{{std::strtod(finding->remedy.c_str() + at + 4, nullptr)}}};
     EXPECT_NE(mended.load[0].pressures_kpa[0], 0) << code;
-    EXPECT_EQ(find(load_checks(mended), code), nullptr) << code << ": " << finding->remedy;
+    EXPECT_EQ(find(findings_under_load(mended), code), nullptr) << code << ": " << finding->remedy;
   }
   EXPECT_GE(taken, 12);
 }
@@ -97,7 +98,7 @@ TEST(LoadChecks, TakeEverySegmentAtItsOwnPressures) {
   Design design = design_of(tearing, {});
   design.segments.push_back(tearing);
   design.load = {{{5, 40}}, {{10, 0}}};
-  const CheckFindings findings = load_checks(design);
+  const CheckFindings findings = findings_under_load(design);
   const CheckFinding* finding = find(findings, "liner-overstrained");
   ASSERT_NE(finding, nullptr);
   EXPECT_EQ(finding->segment, 2);
@@ -107,7 +108,8 @@ TEST(LoadChecks, TakeEverySegmentAtItsOwnPressures) {
 TEST(LoadChecks, KeepTheEndsOfALoadOfThousands) {
   Design design = design_of(paper_segment({36}), {});
   for (int i = 0; i <= 3000; ++i) design.load.push_back({{-4 + 0.01 * i}});
-  const LoadedSegment loaded = load_segment(design, 0);
+  PreparedResponses responses(design);
+  const LoadedSegment loaded = load_segment(responses, 0);
   EXPECT_LE(loaded.pressures_kpa.size(), 64U + 14);
   EXPECT_EQ(loaded.pressures_kpa.front(), -4);
   EXPECT_EQ(loaded.pressures_kpa.back(), 26);
@@ -237,7 +239,7 @@ TEST(LoadChecks, CoverEffectiveRods) {
   segment.liner.material.elongation_at_break = 0.2;
   Design design = design_of(segment, {80});
   design.model.columns = ColumnModel::rods;
-  const CheckFindings findings = load_checks(design);
+  const CheckFindings findings = findings_under_load(design);
   EXPECT_NE(find(findings, "liner-overstrained"), nullptr);
   EXPECT_EQ(find(findings, "not-predictable"), nullptr);
 }

@@ -75,14 +75,19 @@ TEST(WedgeLength, OfASliverIsHalfItsOutlineAtMost) {
   EXPECT_NEAR(wedge_length_mm(sliver, 0, 0.4, 1), 0.5 * (10 + 0.05 + std::hypot(10, 0.05)), 1e-9);
 }
 
+LatticePlane plane_of(const Segment& segment) {
+  LatticeDrawing drawing(segment);
+  return lattice_plane(drawing);
+}
+
 UnitedLattice united(const Segment& segment) {
-  return {segment, 1, lattice_plane(segment)};
+  return {segment, 1, plane_of(segment)};
 }
 
 // Strips cover the same share of every level, so that rings and strips overlap by the product.
 TEST(LatticePlane, HasTheAreaAndTheCellsOfRingsAndStrips) {
   const Segment segment = twisting_segment();
-  const LatticePlane plane = lattice_plane(segment);
+  const LatticePlane plane = plane_of(segment);
   const double strips = 8 * 2 / std::sin(36 * test_pi / 180) / (2 * test_pi * 17);
   const double rings = 8 * 2.0 / 85;
   EXPECT_NEAR(plane.area_mm2, 2 * test_pi * 17 * 85 * (1 - (1 - strips) * (1 - rings)), 0.05);
@@ -98,7 +103,7 @@ TEST(LatticePlane, HasTheAreaAndTheCellsOfRingsAndStrips) {
 TEST(LatticePlane, NamesLooseParts) {
   Segment rings = twisting_segment();
   rings.lattice->grids.clear();
-  const LatticePlane bands = lattice_plane(rings);
+  const LatticePlane bands = plane_of(rings);
   ASSERT_EQ(bands.parts.size(), 8U);
   EXPECT_EQ(bands.outlines.size(), 16U);
   for (const LatticePart& part : bands.parts) {
@@ -108,7 +113,7 @@ TEST(LatticePlane, NamesLooseParts) {
   }
   Segment strips = twisting_segment();
   strips.lattice->rings.reset();
-  EXPECT_EQ(lattice_plane(strips).parts.size(), 8U);
+  EXPECT_EQ(plane_of(strips).parts.size(), 8U);
 }
 
 TEST(LatticePlane, HasAsManyPartsAsTheSolid) {
@@ -122,7 +127,7 @@ TEST(LatticePlane, HasAsManyPartsAsTheSolid) {
     lattice.grids[0].angle_deg = uniform(random, 20, 160);
     if (i % 2 == 0) lattice.grids.push_back({uniform(random, 20, 160), {1.5, 1.0, 2.0}, {}});
     const Solid solid = lattice_solid(segment, {0.05});
-    EXPECT_EQ(lattice_plane(segment).parts.size(), static_cast<std::size_t>(solid.pieces))
+    EXPECT_EQ(plane_of(segment).parts.size(), static_cast<std::size_t>(solid.pieces))
         << "seed " << seed << ", design " << i;
   }
 }

@@ -15,11 +15,11 @@ double uniform(std::mt19937& random, double low, double high) {
 }
 
 bool finds(const Design& design, std::string_view code) {
-  return !with_code(print_checks(design), code).empty();
+  return !with_code(findings_in_print(design), code).empty();
 }
 
 CheckFinding only(const Design& design, std::string_view code) {
-  const auto found = with_code(print_checks(design), code);
+  const auto found = with_code(findings_in_print(design), code);
   EXPECT_EQ(found.size(), 1U) << code;
   return found.empty() ? CheckFinding{} : found.front();
 }
@@ -160,7 +160,7 @@ TEST(PrintChecks, RemediesPass) {
     Design design = printed(segment);
     design.printer.min_wall_mm = uniform(random, 0.4, 1.2);
     design.printer.min_gap_mm = uniform(random, 0.5, 6);
-    for (const CheckFinding& finding : print_checks(design)) {
+    for (const CheckFinding& finding : findings_in_print(design)) {
       Design better = design;
       Lattice& to = *better.segments[0].lattice;
       Grid& strands = to.grids[0];
@@ -181,7 +181,7 @@ TEST(PrintChecks, RemediesPass) {
         continue;
       }
       ++tried;
-      for (const CheckFinding& left : with_code(print_checks(better), finding.code)) {
+      for (const CheckFinding& left : with_code(findings_in_print(better), finding.code)) {
         EXPECT_NE(left.part.substr(0, 4), finding.part.substr(0, 4))
             << finding.message << " | " << finding.remedy << " | " << left.message;
       }
@@ -205,7 +205,7 @@ TEST(PrintChecks, LimitsChangePlacesInAMold) {
   EXPECT_NE(groove.message.find("groove"), std::string::npos);
   EXPECT_EQ(groove.part, "lattice-mold grid 0 strand 0");
   design.make.lattice = true;
-  EXPECT_EQ(with_code(print_checks(design), "strand-too-thin").size(), 2U);
+  EXPECT_EQ(with_code(findings_in_print(design), "strand-too-thin").size(), 2U);
   design.make.lattice = false;
   design.make.lattice_mold->method = MoldMethod::replica;
   EXPECT_EQ(only(design, "strand-too-thin").limit, 0.8);
@@ -218,12 +218,12 @@ TEST(PrintChecks, LookAtNothingThatIsNotMade) {
   design.make = {};
   EXPECT_TRUE(finds(design, "strand-too-thin")) << "nothing is named yet: as if it were printed";
   design.make.liner = true;
-  EXPECT_TRUE(print_checks(design).empty());
+  EXPECT_TRUE(findings_in_print(design).empty());
   design.segments[0].liner.thickness_mm = 0.5;
   EXPECT_EQ(only(design, "layer-too-thin").part, "liner");
   design.segments[0].lattice.reset();
   design.make.liner = false;
-  EXPECT_TRUE(print_checks(design).empty());
+  EXPECT_TRUE(findings_in_print(design).empty());
 }
 
 TEST(PrintChecks, ColumnsThatOverlapAreAProblemOnlyWhereTheyAreDrawn) {
@@ -233,7 +233,7 @@ TEST(PrintChecks, ColumnsThatOverlapAreAProblemOnlyWhereTheyAreDrawn) {
   EXPECT_TRUE(finds(design, "cannot-draw"));
   design.make = {};
   design.model.columns = ColumnModel::rods;
-  EXPECT_TRUE(print_checks(design).empty());
+  EXPECT_TRUE(findings_in_print(design).empty());
   design.make.preview.emplace();
   EXPECT_TRUE(finds(design, "cannot-draw"));
 }
@@ -276,7 +276,7 @@ TEST(PrintChecks, NeverThrow) {
     if (!lattice.rings && lattice.grids.empty()) continue;
     Design design = i % 2 == 0 ? printed(segment) : cast(segment);
     CheckFindings findings;
-    EXPECT_NO_THROW(findings = print_checks(design));
+    EXPECT_NO_THROW(findings = findings_in_print(design));
     for (const CheckFinding& finding : findings) {
       EXPECT_FALSE(finding.message.empty());
       EXPECT_FALSE(finding.remedy.empty());
@@ -326,7 +326,7 @@ TEST(ExceedsBed, KnowsTheQuarterTurnAndTheLimit) {
   design.printer.bed_mm = {35.9, 100, 85};
   EXPECT_EQ(only(design, "exceeds-bed").limit, 35.9);
   design.printer.bed_mm = {100, 100, 84};
-  const auto found = with_code(print_checks(design), "exceeds-bed");
+  const auto found = with_code(findings_in_print(design), "exceeds-bed");
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[1].part, "liner");
   EXPECT_EQ(found[1].value, 85);

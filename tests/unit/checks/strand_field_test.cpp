@@ -63,8 +63,9 @@ double beside_line(const Segment& segment, const State& state) {
 
 void expect_the_checks_strains(const Design& design) {
   const Segment& segment = design.segments[0];
-  const LoadedSegment loaded = load_segment(design, 0);
-  const CheckFindings findings = load_checks(design);
+  PreparedResponses responses(design);
+  const LoadedSegment loaded = load_segment(responses, 0);
+  const CheckFindings findings = load_checks(responses);
   const SolidOptions options{tolerance_mm, start_z_mm, 0, 1};
   const TriangleMesh lattice = lattice_solid(segment, options).mesh;
   const TriangleMesh liner = liner_solid(segment, options).mesh;

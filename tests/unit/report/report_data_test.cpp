@@ -19,8 +19,8 @@ ReportData report_of(const Design& design) {
   ReportData data;
   data.design = &design;
   data.program_version = "1.2.3";
-  data.checks_json = R"({"design":"x","errors":0,"warnings":0,"notes":0,"findings":[]})";
-  if (!design.load.empty()) data.curves = predict_curves(design);
+  PreparedResponses responses(design);
+  if (!design.load.empty()) data.curves = predict_curves(responses);
   data.times = {{"lattice", 0.25}};
   return data;
 }
@@ -37,7 +37,8 @@ TEST(ReportCurves, HoldTheAskedStatesAsPredictGivesThem) {
   for (const std::string& file : example_files) {
     SCOPED_TRACE(file);
     const Design design = example(file);
-    const ReportCurves curves = predict_curves(design);
+    PreparedResponses responses(design);
+    const ReportCurves curves = predict_curves(responses);
     const Prediction asked = predict_design(design, {}, {}, false);
     ASSERT_EQ(curves.segments.size(), design.segments.size());
     for (std::size_t s = 0; s < design.segments.size(); ++s) {

@@ -48,8 +48,9 @@ TEST(ReportView, ShowsRestAndBothEndsOfTheLoad) {
   for (const std::string& file : example_files) {
     SCOPED_TRACE(file);
     const Design design = example(file);
-    const ReportCurves curves = predict_curves(design);
-    const ReportView view = make_view(design, &curves);
+    PreparedDesign prepared(design);
+    const ReportCurves curves = predict_curves(prepared.responses);
+    const ReportView view = make_view(prepared, &curves);
     ASSERT_EQ(view.segments.size(), design.segments.size());
     for (std::size_t s = 0; s < view.segments.size(); ++s) {
       const std::vector<State>& states = view.segments[s].states;
@@ -72,8 +73,9 @@ TEST(ReportView, ShowsRestAndBothEndsOfTheLoad) {
 // there.
 TEST(ReportView, SegmentsPlacedByTheirEndsMakeTheChain) {
   const Design design = example("climbing_robot/climbing_robot.toml");
-  const ReportCurves curves = predict_curves(design);
-  const ReportView view = make_view(design, &curves);
+  PreparedDesign prepared(design);
+  const ReportCurves curves = predict_curves(prepared.responses);
+  const ReportView view = make_view(prepared, &curves);
   const json read = json::parse(view_json(view, design, {}));
   std::vector<State> states;
   std::vector<std::size_t> chosen;
@@ -104,8 +106,9 @@ TEST(ReportView, SegmentsPlacedByTheirEndsMakeTheChain) {
 
 TEST(ReportView, PinsEveryFindingThatHasAPlace) {
   const Design design = example("twisting/twisting.toml");
-  const ReportCurves curves = predict_curves(design);
-  const ReportView view = make_view(design, &curves);
+  PreparedDesign prepared(design);
+  const ReportCurves curves = predict_curves(prepared.responses);
+  const ReportView view = make_view(prepared, &curves);
   CheckFindings findings(3);
   findings[1].segment = 1;
   findings[1].place = CheckPlace{90, 40};
@@ -132,8 +135,9 @@ TEST(ReportView, StaysSmallForALargeLattice) {
   lattice.rings->width_mm = 0.8;
   lattice.grids[0].widths_mm.assign(20, 0.8);
   design.output.tolerance_mm = 1e-4;
-  const ReportCurves curves = predict_curves(design);
-  const ReportView view = make_view(design, &curves);
+  PreparedDesign prepared(design);
+  const ReportCurves curves = predict_curves(prepared.responses);
+  const ReportView view = make_view(prepared, &curves);
   EXPECT_GE(view.tolerance_mm, 0.05);
   EXPECT_EQ(view.note.empty(), view.tolerance_mm == 0.05);
   std::size_t vertices = 0;
@@ -145,7 +149,8 @@ TEST(ReportView, StaysSmallForALargeLattice) {
 
 TEST(ReportView, ShowsRestAloneWithoutALoad) {
   const Design design = example("twisting/twisting.toml");
-  const ReportView view = make_view(design, nullptr);
+  PreparedDesign prepared(design);
+  const ReportView view = make_view(prepared, nullptr);
   ASSERT_EQ(view.segments[0].states.size(), 1U);
   EXPECT_EQ(view.segments[0].states[0].pressure_kpa, 0);
   const json end = json::parse(view_json(view, design, {}))["segments"][0]["states"][0]["end"];
