@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `latticast audit`: the audit of mesh files.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// What an audit found, for people.
 #pragma once
 
 #include <string>

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "app/check_output.h"
+#include "app/products.h"
 #include "checks/check_design.h"
 #include "checks/findings_json.h"
 
@@ -11,14 +12,9 @@ namespace latticast {
 namespace {
 
 Design narrowed(Design design, const Plan& plan) {
-  Make& make = design.make;
-  make.lattice = plan.runs(Stage::lattice);
-  make.liner = plan.runs(Stage::liner);
-  make.flat_pattern = plan.runs(Stage::flat_pattern);
-  make.report = plan.runs(Stage::report);
-  if (!plan.runs(Stage::preview)) make.preview.reset();
-  if (!plan.runs(Stage::lattice_mold)) make.lattice_mold.reset();
-  if (!plan.runs(Stage::liner_mold)) make.liner_mold.reset();
+  for (const Product& product : products()) {
+    if (!plan.runs(product.stage)) product.leave_out(design.make);
+  }
   return design;
 }
 
@@ -27,10 +23,9 @@ Design narrowed(Design design, const Plan& plan) {
 CheckFindings checks_before_build(PreparedDesign& prepared, const Plan& plan) {
   const Design& design = prepared.design;
   if (plan.runs(Stage::report)) return check_design(design, prepared);
-  const bool molds = plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold);
   CheckScope scope;
-  scope.printing = plan.runs(Stage::lattice) || plan.runs(Stage::liner) || molds;
-  scope.casting = molds;
+  scope.printing = runs_any(plan, &Product::is_printed);
+  scope.casting = runs_any(plan, &Product::is_mold);
   scope.inflating = plan.runs(Stage::preview);
   return check_design(narrowed(design, plan), prepared, scope);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/build_command.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
 #include "app/build_checks.h"
@@ -8,24 +10,10 @@
 #include "app/design_input.h"
 #include "app/interrupt.h"
 #include "app/plan.h"
+#include "app/products.h"
 #include "geometry/pattern/drawing_problems.h"
 
 namespace latticast {
-namespace {
-
-bool makes_anything(const Plan& plan) {
-  return plan.runs(Stage::lattice) || plan.runs(Stage::liner) || plan.runs(Stage::preview) ||
-         plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold) ||
-         plan.runs(Stage::report) || plan.runs(Stage::flat_pattern);
-}
-
-bool draws_lattice(const Plan& plan) {
-  return plan.runs(Stage::lattice) || plan.runs(Stage::preview) || plan.runs(Stage::lattice_mold) ||
-         plan.runs(Stage::report) || plan.runs(Stage::flat_pattern);
-}
-
-}  // namespace
-
 ExitStatus run_build(const BuildArguments& arguments, const Console& console) {
   const auto materials = load_materials(arguments.materials, console);
   if (!materials) return ExitStatus::invalid;
@@ -37,9 +25,10 @@ ExitStatus run_build(const BuildArguments& arguments, const Console& console) {
   const std::vector<std::string> missing = unavailable(plan);
   for (const std::string& line : missing) console.error(line);
   if (!missing.empty()) return ExitStatus::invalid;
-  if (draws_lattice(plan)) require_drawable(design->segments);
+  if (runs_any(plan, &Product::draws_lattice)) require_drawable(design->segments);
   if (arguments.dry_run) return ExitStatus::done;
-  if (!makes_anything(plan)) {
+  const auto runs = [&](const Product& product) { return plan.runs(product.stage); };
+  if (std::none_of(products().begin(), products().end(), runs)) {
     console.note("nothing to make: name what you want under [make], for example lattice = true");
     return ExitStatus::done;
   }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `latticast build`: plan, checks, then all files of a design.
 #pragma once
 
 #include <filesystem>

@@ -8,21 +8,32 @@
 
 namespace latticast {
 
-ReportMesh report_mesh(const Audit& audited, const SolidError& error) {
-  ReportMesh mesh{audited.triangles, audited.components, audited.genus, {},
-                  error.surface_mm,  error.volume_mm3};
+namespace {
+
+ReportMesh report_mesh(const DeliveredMesh& delivered) {
+  const Audit& audited = delivered.audited;
+  ReportMesh mesh{.triangles = audited.triangles,
+                  .components = audited.components,
+                  .genus = audited.genus,
+                  .surface_error_mm = delivered.error.surface_mm,
+                  .volume_error_mm3 = delivered.error.volume_mm3};
   for (std::size_t i = 0; i < 3; ++i) mesh.size_mm[i] = audited.highest[i] - audited.lowest[i];
   return mesh;
 }
 
-#if LATTICAST_HAS_MOLDS
-const Material* poured_material(const Design& design, const PlannedMold& planned) {
-  const Segment& segment = design.segments[planned.segment];
-  if (planned.kind == "liner-mold") return &segment.liner.material;
-  if (design.make.lattice_mold->method == MoldMethod::replica) return nullptr;
-  return &segment.lattice->material;
+ReportPiece report_piece(const DeliveredPiece& piece) {
+  ReportPiece reported{.name = piece.name,
+                       .kind = piece.kind,
+                       .segment = static_cast<int>(piece.segment) + 1,
+                       .files = piece.files,
+                       .material = piece.material,
+                       .volume_mm3 = piece.volume_mm3,
+                       .mesh = {}};
+  if (piece.mesh) reported.mesh = report_mesh(*piece.mesh);
+  return reported;
 }
-#endif
+
+}  // namespace
 
 void predict_report(PreparedResponses& responses, ReportData& report) {
   if (responses.design().load.empty()) {
@@ -36,13 +47,18 @@ void predict_report(PreparedResponses& responses, ReportData& report) {
   }
 }
 
-void complete_report(const BuildOrder& order, ReportData& report) {
+void complete_report(const BuildOrder& order, const Delivered& delivered, ReportData& report) {
   report.design = &order.design;
   report.program_version = LATTICAST_VERSION;
   for (const PlannedStage& stage : order.plan.stages) {
     report.plan.push_back({std::string(name(stage.stage)), stage.runs, stage.reason});
   }
   report.findings = order.findings;
+  report.files = delivered.files;
+  for (const DeliveredPiece& piece : delivered.pieces) {
+    report.pieces.push_back(report_piece(piece));
+  }
+  for (const auto& [stage, seconds] : delivered.seconds) report.times.push_back({stage, seconds});
 }
 
 std::vector<ReportFile> report_files(ReportData& report, const ReportView& view,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Design and materials read from files, with every problem reported.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The exit statuses of the program.
 #pragma once
 
 namespace latticast {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Error of the mesh in a file against the solid that it stands for.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Signals as an exception: SIGINT and SIGTERM end a build between two steps.
 #pragma once
 
 #include <stdexcept>

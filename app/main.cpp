@@ -8,11 +8,14 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include "app/check_command.h"
 #include "app/console.h"
 #include "app/exit_status.h"
 #include "app/materials_command.h"
+#include "app/new_command.h"
+#include "app/products.h"
 #include "design/file_error.h"
 #include "design/nearest_name.h"
 #include "design/unsupported_design.h"
@@ -54,6 +57,8 @@ struct CommandLine {
   std::vector<std::string> checked_files;
   std::string check_format = "table";
   std::string material;
+  std::string kind;
+  std::string new_file;
 };
 
 std::optional<std::filesystem::path> materials_path(const CommandLine& typed) {
@@ -65,10 +70,7 @@ void describe_build(CLI::App& app, CommandLine& typed) {
   CLI::App* build = app.add_subcommand("build", "Make everything that the design's [make] names");
   build->add_option("design", typed.design, "design file")->required();
   build->add_option("-o,--output", typed.folder, "folder for the files; made if missing");
-  build
-      ->add_option("--only", typed.only,
-                   "parts to make: lattice, liner, flat-pattern, preview, molds, report")
-      ->delimiter(',');
+  build->add_option("--only", typed.only, "parts to make: " + product_words(true))->delimiter(',');
   build->add_flag("--force", typed.force, "build although the checks find errors");
   build->add_flag("--times", typed.times, "write the time of every stage into the report's JSON");
   build->add_flag("--dry-run", typed.dry_run, "print what would run, and why the rest would not");
@@ -90,6 +92,13 @@ void describe_predict(CLI::App& app, CommandLine& typed) {
       ->check(CLI::IsMember({"tip", "centre-line"}));
 }
 
+void describe_new(CLI::App& app, CommandLine& typed) {
+  CLI::App* fresh = app.add_subcommand("new", "Write a commented design to start from");
+  fresh->add_option("kind", typed.kind, fmt::format("{}", fmt::join(new_kinds(), ", ")))
+      ->required();
+  fresh->add_option("file", typed.new_file, "file to write, KIND.toml when not given");
+}
+
 void describe_commands(CLI::App& app, CommandLine& typed) {
   app.set_version_flag("--version", "latticast " LATTICAST_VERSION);
   app.add_flag("-q,--quiet", typed.quiet, "no progress, no notes; errors are still shown");
@@ -107,6 +116,7 @@ void describe_commands(CLI::App& app, CommandLine& typed) {
   audit->add_option("files", typed.mesh_files, "mesh files")->required();
   CLI::App* materials = app.add_subcommand("materials", "List the materials, or show one");
   materials->add_option("name", typed.material, "material");
+  describe_new(app, typed);
 }
 
 [[maybe_unused]] ExitStatus left_out(const Console& console, std::string_view command,
@@ -122,6 +132,7 @@ ExitStatus run_command(const CLI::App& app, const CommandLine& typed, const Cons
   if (app.got_subcommand("materials")) {
     return run_materials(typed.material, materials_path(typed), console);
   }
+  if (app.got_subcommand("new")) return run_new(typed.kind, typed.new_file, console);
   if (app.got_subcommand("check")) {
     return run_check({{typed.checked_files.begin(), typed.checked_files.end()},
                       materials_path(typed),
@@ -189,7 +200,7 @@ ExitStatus run_guarded(const CLI::App& app, const CommandLine& typed, const Cons
 
 // CLI11 only says that a command is missing; a mistyped one deserves the nearest name.
 std::optional<std::string> mistyped_command(int argc, char** argv) {
-  const std::vector<std::string> known{"build", "predict", "check", "audit", "materials"};
+  const std::vector<std::string> known{"build", "predict", "check", "audit", "materials", "new"};
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--materials") ++i;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `latticast materials`: the material library as a list, or one entry.
 #pragma once
 
 #include <filesystem>

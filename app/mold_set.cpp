@@ -72,7 +72,7 @@ void check_bed(const Design& design, const std::vector<PlannedMold>& molds) {
 
 }  // namespace
 
-std::vector<PlannedMold> make_molds(PreparedDesign& prepared, const Plan& plan) {
+std::vector<PlannedMold> plan_molds(PreparedDesign& prepared, const Plan& plan) {
   const Design& design = prepared.design;
   std::vector<PlannedMold> molds;
   for (std::size_t s = 0; s < design.segments.size(); ++s) {
@@ -83,6 +83,13 @@ std::vector<PlannedMold> make_molds(PreparedDesign& prepared, const Plan& plan) 
   }
   check_bed(design, molds);
   return molds;
+}
+
+const Material* poured_material(const Design& design, const PlannedMold& planned) {
+  const Segment& segment = design.segments[planned.segment];
+  if (planned.kind == "liner-mold") return &segment.liner.material;
+  if (design.make.lattice_mold->method == MoldMethod::replica) return nullptr;
+  return &segment.lattice->material;
 }
 
 }  // namespace latticast

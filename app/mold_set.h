@@ -22,6 +22,9 @@ struct PlannedMold {
 
 /// Makes the molds that the plan runs. Throws CannotMold (also for pieces that exceed the printer's
 /// bed), CannotDraw, GeometryError.
-std::vector<PlannedMold> make_molds(PreparedDesign& prepared, const Plan& plan);
+std::vector<PlannedMold> plan_molds(PreparedDesign& prepared, const Plan& plan);
+
+/// What is cast in a mold; null for a flexible mold, whose rubber is the workshop's choice.
+const Material* poured_material(const Design& design, const PlannedMold& planned);
 
 }  // namespace latticast

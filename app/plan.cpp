@@ -2,66 +2,35 @@
 #include "app/plan.h"
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
+
+#include "app/products.h"
 
 namespace latticast {
 namespace {
 
-struct Part {
-  Stage stage;
-  std::string_view key;  // in [make]
-};
-
-constexpr std::array<Part, 7> parts{{{Stage::lattice, "lattice"},
-                                     {Stage::liner, "liner"},
-                                     {Stage::flat_pattern, "flat_pattern"},
-                                     {Stage::preview, "preview"},
-                                     {Stage::lattice_mold, "lattice_mold"},
-                                     {Stage::liner_mold, "liner_mold"},
-                                     {Stage::report, "report"}}};
-
-bool asked(const Make& make, Stage part) {
-  switch (part) {
-    case Stage::lattice:
-      return make.lattice;
-    case Stage::liner:
-      return make.liner;
-    case Stage::flat_pattern:
-      return make.flat_pattern;
-    case Stage::preview:
-      return make.preview.has_value();
-    case Stage::lattice_mold:
-      return make.lattice_mold.has_value();
-    case Stage::liner_mold:
-      return make.liner_mold.has_value();
-    case Stage::report:
-      return make.report;
-    default:
-      return false;
+std::vector<const Product*> products_named(const std::string& word) {
+  std::vector<const Product*> named;
+  for (const Product& product : products()) {
+    if (name(product.stage) == word || product.key == word || product.group == word) {
+      named.push_back(&product);
+    }
   }
-}
-
-std::vector<Stage> parts_named(const std::string& word) {
-  if (word == "molds") return {Stage::lattice_mold, Stage::liner_mold};
-  for (const Part& part : parts) {
-    if (name(part.stage) == word || part.key == word) return {part.stage};
+  if (named.empty() || word.empty()) {
+    throw std::invalid_argument(
+        fmt::format("--only {}: no such part; parts are {}", word, product_words(false)));
   }
-  throw std::invalid_argument(
-      fmt::format("--only {}: no such part; parts are lattice, liner, flat-pattern, preview, "
-                  "lattice-mold, liner-mold, molds, report",
-                  word));
+  return named;
 }
 
 std::vector<Stage> chosen_parts(const Make& make, const std::vector<std::string>& only) {
   std::vector<Stage> chosen;
   for (const std::string& word : only) {
     const std::size_t before = chosen.size();
-    for (const Stage part : parts_named(word)) {
-      if (asked(make, part)) chosen.push_back(part);
+    for (const Product* product : products_named(word)) {
+      if (product->asked(make)) chosen.push_back(product->stage);
     }
     if (chosen.size() == before) {
       throw std::invalid_argument(fmt::format(
@@ -98,22 +67,19 @@ bool has_uneven_widths(const Design& design) {
   return false;
 }
 
-PlannedStage plan_part(const Design& design, Stage stage, const std::vector<Stage>& chosen,
-                       bool narrowed) {
-  const auto part =
-      std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.stage == stage; });
-  if (!asked(design.make, stage)) {
-    return {stage, false, fmt::format("[make] does not name {}", part->key)};
+PlannedStage plan_product(const Design& design, const Product& product,
+                          const std::vector<Stage>& chosen, bool narrowed) {
+  const Stage stage = product.stage;
+  if (!product.asked(design.make)) {
+    return {stage, false, fmt::format("[make] does not name {}", product.key)};
   }
   if (narrowed && std::find(chosen.begin(), chosen.end(), stage) == chosen.end()) {
     return {stage, false, "left out by --only"};
   }
-  const bool needs_lattice =
-      stage == Stage::lattice || stage == Stage::flat_pattern || stage == Stage::lattice_mold;
-  if (needs_lattice && !has_lattice(design)) {
+  if (product.only_of_lattice && !has_lattice(design)) {
     return {stage, false, "no segment has a lattice"};
   }
-  return {stage, true, fmt::format("[make] names {}", part->key)};
+  return {stage, true, fmt::format("[make] names {}", product.key)};
 }
 
 // The stages of the prediction follow from what shows the design under pressure.
@@ -175,8 +141,8 @@ bool Plan::runs(Stage stage) const {
 Plan plan_build(const Design& design, const std::vector<std::string>& only) {
   const std::vector<Stage> chosen = chosen_parts(design.make, only);
   Plan plan;
-  for (const Part& part : parts) {
-    plan.stages.push_back(plan_part(design, part.stage, chosen, !only.empty()));
+  for (const Product& product : products()) {
+    plan.stages.push_back(plan_product(design, product, chosen, !only.empty()));
   }
   plan_prediction(design, plan);
   std::sort(plan.stages.begin(), plan.stages.end(),
@@ -187,14 +153,14 @@ Plan plan_build(const Design& design, const std::vector<std::string>& only) {
 std::vector<std::string> unavailable([[maybe_unused]] const Plan& plan) {
   std::vector<std::string> missing;
 #if !LATTICAST_HAS_MOLDS
-  if (plan.runs(Stage::lattice_mold) || plan.runs(Stage::liner_mold)) {
+  if (runs_any(plan, &Product::is_mold)) {
     missing.emplace_back(
         "this program was built without molds: build it with -DLATTICAST_MOLDS=ON, or leave them "
         "out with --only");
   }
 #endif
 #if !LATTICAST_HAS_PREDICT
-  if (plan.runs(Stage::preview) || plan.runs(Stage::report)) {
+  if (runs_any(plan, &Product::shows_inflated)) {
     missing.emplace_back(
         "this program was built without the prediction that a preview or report needs: build it "
         "with -DLATTICAST_PREDICT=ON, or leave them out with --only");

@@ -35,7 +35,7 @@ void add_messages(const Response& response, std::size_t segment, const Console& 
   response.status == Status::ok ? console.note(line) : console.error(line);
 }
 
-// MODEL.md section 9 measured how far this kind of model is from a three-dimensional calculation.
+// Measured against a three-dimensional calculation: docs/model.md#what-it-leaves-out.
 void note_known_bias(const Design& design, const Console& console) {
   const bool reinforced =
       std::any_of(design.segments.begin(), design.segments.end(),

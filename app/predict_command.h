@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `latticast predict`: the response to pressure, the shape of a chain, the force against a stop.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Pressures as the command line takes them.
 #pragma once
 
 #include <string_view>

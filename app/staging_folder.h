@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// A folder whose files appear all at once: written aside, then renamed.
 #pragma once
 
 #include <filesystem>

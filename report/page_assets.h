@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The files of report/page, built into the library.
 #pragma once
 
 #include <string_view>

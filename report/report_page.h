@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The page of a report: one HTML file that holds its data, scripts and 3-D view.
 #pragma once
 
 #include <string>

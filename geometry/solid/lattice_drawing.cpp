@@ -8,16 +8,16 @@
 namespace latticast {
 namespace {
 
-bool is_curved(const Lattice& lattice) {
+bool has_curves(const Lattice& lattice) {
   return lattice.fillet_mm > 0 ||
          std::any_of(lattice.grids.begin(), lattice.grids.end(),
-                     [](const Grid& grid) { return grid.horseshoe.has_value(); });
+                     [](const Grid& grid) { return is_curved(grid.path); });
 }
 
 }  // namespace
 
 double LatticeDrawing::effective_flatness_mm(double flatness_mm) const {
-  return is_curved(*segment_.lattice) ? flatness_mm : 0;
+  return has_curves(*segment_.lattice) ? flatness_mm : 0;
 }
 
 const Pattern& LatticeDrawing::strands(double flatness_mm) {

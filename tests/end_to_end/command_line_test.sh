@@ -178,4 +178,22 @@ expect 0 "$program" --version
 expect 0 "$program" --quiet build "$design" -o quiet --only lattice
 holds test -z "$err"
 
+# A new design of each kind is ready for every command, and nothing is overwritten.
+for kind in twisting bending elongation superimposed; do
+  expect 0 "$program" new "$kind"
+  err_says "wrote $kind.toml"
+  expect 0 "$program" predict "$kind.toml" --pressure 10
+  expect 0 "$program" build "$kind.toml" -o "new-$kind" --only lattice,liner
+  says "$kind-lattice.stl: closed, 1 piece"
+done
+cp bending.toml kept.toml
+expect 4 "$program" new twisting bending.toml
+err_says "bending.toml: exists already"
+holds cmp bending.toml kept.toml
+expect 0 "$program" new twisting mine.toml
+holds cmp mine.toml twisting.toml
+expect 2 "$program" new twistin
+err_says "did you mean twisting?"
+expect 2 "$program" new
+
 finish

@@ -85,7 +85,7 @@ holds row '$1 == "rods" && $2 == 4 && $3 == 100 && $5 > 42.85 && $5 < 42.89'
 holds row '$1 == "rods" && $2 == 10 && $3 == 60 && $5 > 41.64 && $5 < 41.68'
 holds every_row '$2 != 2 || $5 < 1e-9'
 cp studies/twisting.csv out
-# MODEL.md section 3: at 40 kPa the twist per deformed length is largest near 37 degrees.
+# At 40 kPa the twist per deformed length is largest near 37 degrees.
 holds test "$(awk -F, '$1 == "paper" && $3 == 40 { t = -$5; if (t > best) { best = t; angle = $2 } } END { print angle }' out)" -eq 36
 cp studies/two-families.csv out
 holds row '$1 == 150 && $4 < 1e-12 && $4 > -1e-12'

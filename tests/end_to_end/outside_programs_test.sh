@@ -10,6 +10,11 @@ trap 'rm -rf "$work"' EXIT
 # shellcheck source=tests/end_to_end/expect.sh
 . "$source_tree/tests/end_to_end/expect.sh"
 cd "$work" || exit 1
+for needed in admesh prusa-slicer ezdxf rsvg-convert; do
+  command -v "$needed" >/dev/null && continue
+  echo "skipped: there is no $needed"
+  exit 77
+done
 
 for example in twisting two_families; do
   sed 's/"stl", "obj"/"stl", "obj", "3mf"/' "$source_tree/examples/twisting/$example.toml" >"$example.toml"

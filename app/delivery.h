@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where a build's files go: written aside, each mesh read back and proved, all of them shown at
+// once at the end, and recorded for the report.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/progress.h"
+#include "app/staging_folder.h"
+#include "design/design.h"
+#include "export/colour.h"
+#include "export/mesh/three_mf_file.h"
+#include "geometry/solid/audit.h"
+#include "geometry/solid/tube_solids.h"
+
+namespace latticast {
+
+/// A mesh to be delivered, and what a report says of it.
+struct Part {
+  std::string stem;  ///< of its files
+  std::string kind;  ///< empty: a preview, which is no piece of the actuator
+  std::size_t segment = 0;
+  const Material* material = nullptr;  ///< none for what the printer prints
+  std::vector<Colour> colours = {};    ///< of the vertices, in formats that have them
+};
+
+/// What the audit of a part's files found.
+struct DeliveredMesh {
+  Audit audited;
+  SolidError error;
+};
+
+/// A piece of the actuator or of a mold that was made, or what is poured into one.
+struct DeliveredPiece {
+  std::string name;
+  std::string kind;
+  std::size_t segment = 0;
+  std::vector<std::string> files = {};
+  const Material* material = nullptr;
+  double volume_mm3 = 0;
+  std::optional<DeliveredMesh> mesh = {};  ///< absent for what is poured
+};
+
+/// All that was delivered, in the order of work.
+struct Delivered {
+  std::vector<std::string> files;
+  std::vector<DeliveredPiece> pieces;
+  std::vector<std::pair<std::string, double>> seconds;  ///< of each stage
+};
+
+class Delivery {
+ public:
+  /// Throws FileError where the folder cannot be made.
+  Delivery(const Design& design, const std::filesystem::path& folder, const Console& console);
+
+  Progress& progress() { return progress_; }
+  const Delivered& delivered() const { return delivered_; }
+  const std::string& summary() const { return summary_; }
+  int ready() const { return ready_; }  ///< files that are written
+
+  /// More meshes to come: each is drawn, then written and proved in every format.
+  void expect_meshes(std::size_t count);
+
+  /// "NAME-part", with the segment's number between where there are several.
+  std::string part_name(std::size_t segment, std::string_view part) const;
+  bool writes(MeshFormat format) const;
+
+  /// Where to write a file that is no mesh.
+  std::filesystem::path add_file(const std::string& name);
+  /// Lists a file before it is written, for a report that lists itself.
+  void list_file(const std::string& name) { delivered_.files.push_back(name); }
+  void write_listed(const std::string& name, const std::string& bytes);
+
+  /// Writes a solid in every format, reads each file back and proves it. Throws AuditFailed.
+  void deliver(const Part& part, const Solid& solid);
+
+  void record(DeliveredPiece piece) { delivered_.pieces.push_back(std::move(piece)); }
+  /// A line, or several, of the list for people.
+  void tell(const std::string& lines) { summary_ += lines; }
+  /// The time since the note before: all that was done for this stage.
+  void note_time(const std::string& stage);
+
+  /// The files appear in the folder.
+  void commit() { staging_.commit(); }
+
+ private:
+  const Design& design_;
+  const Console& console_;
+  Progress progress_;
+  StagingFolder staging_;
+  Delivered delivered_;
+  std::string summary_;
+  int ready_ = 0;
+  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace latticast
