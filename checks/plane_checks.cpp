@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "checks/strand_checks.h"
+#include "numerics/root_search.h"
 
 namespace latticast {
 namespace {
@@ -233,14 +234,10 @@ double wedge_length_mm(const Outline& outline, std::size_t corner, double width_
     const double step = std::min({back.rest_mm(), ahead.rest_mm(), half - way});
     const double apart = distance(back.place(step), ahead.place(step));
     if (apart >= width_mm) {
-      double low = 0;
-      double high = step;
-      for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        const bool narrow = distance(back.place(middle), ahead.place(middle)) < width_mm;
-        (narrow ? low : high) = middle;
-      }
-      return way + high;
+      const auto excess = [&](double further) {
+        return distance(back.place(further), ahead.place(further)) - width_mm;
+      };
+      return way + bracketed_root(excess, 0, std::min(0.0, excess(0)), step, apart - width_mm, 0);
     }
     way += step;
     back.advance(step);

@@ -13,6 +13,7 @@
 #include "geometry/pattern/rings.h"
 #include "model/section/section_energy.h"
 #include "model/shape/inflated_wall.h"
+#include "numerics/root_search.h"
 
 namespace latticast {
 namespace {
@@ -94,11 +95,12 @@ double contact_pressure_mpa(Section members, const State& state) {
          (2 * pi * state.inner_radius_mm * state.stretch);
 }
 
-/// What roundness lets a wall bear as it comes out, on the side that bending lengthens.
+/// Pressure that a wall carries by being round when it bulges between members, on the side that
+/// bending lengthens (docs/bulging.md#what-holds).
 class RoundWall {
  public:
-  /// `alone`: between its edges the wall carries the pull of the pressure on its ends, with nothing
-  /// pressing on it from outside; otherwise it keeps the stretch that it has.
+  /// `alone`: the stretch of the wall between its edges follows from the axial balance, pressure on
+  /// the closed ends against the wall's tension; otherwise it is the section's.
   RoundWall(Section wall, const WallStretch& outside, const State& state, bool alone)
       : wall_(std::move(wall)),
         points_(make_quadrature(wall_, wall_points, wall_points)),
@@ -109,10 +111,10 @@ class RoundWall {
         force_n_(state.force_n),
         alone_(alone) {}
 
-  /// Pressure borne with a parabolic bulge of this height in mid gap. To first order such a bulge,
-  /// its own shape being the weight, widens the tube as 0.8 of its height does all along. HUGE_VAL
-  /// where a strand or the rubber has come to its end, -HUGE_VAL where the wall cannot carry the
-  /// pull along the tube.
+  /// Pressure carried with a parabolic bulge of this height in mid gap. Weighted with its own
+  /// shape, such a bulge acts to first order like a tube that is wider by 0.8 of the height
+  /// everywhere. HUGE_VAL where a strand or the rubber reaches the end of its law, -HUGE_VAL where
+  /// no stretch balances the axial pull.
   double borne_mpa(double height_mm) const {
     const double outer_squared = std::pow(outer_mm_ + 0.8 * height_mm, 2);
     const double rubber =
@@ -158,31 +160,6 @@ struct Sample {
   double height_mm, value;
 };
 
-/// Where a function passes through zero between a negative and a positive sample: false position
-/// with the Illinois rule.
-double root(const std::function<double(double)>& function, Sample low, Sample high) {
-  const double tolerance = 1e-9 * high.height_mm;
-  int side = 0;
-  while (high.height_mm - low.height_mm > tolerance) {
-    double middle =
-        std::isfinite(high.value) && std::isfinite(low.value)
-            ? (low.height_mm * high.value - high.height_mm * low.value) / (high.value - low.value)
-            : 0.5 * (low.height_mm + high.height_mm);
-    middle = std::clamp(middle, low.height_mm + 0.3 * tolerance, high.height_mm - 0.3 * tolerance);
-    const Sample found{middle, function(middle)};
-    if (found.value < 0) {
-      low = found;
-      if (side < 0) high.value *= 0.5;
-      side = -1;
-    } else {
-      high = found;
-      if (side > 0) low.value *= 0.5;
-      side = 1;
-    }
-  }
-  return 0.5 * (low.height_mm + high.height_mm);
-}
-
 /// Where a function with a single hump is largest, by golden section.
 Sample hump(const std::function<double(double)>& function, double low, double high) {
   const double golden = 0.5 * (std::sqrt(5.0) - 1);
@@ -216,7 +193,8 @@ void settle(Bulge& bulge, double radius_mm, const std::function<double(double)>&
     const double above = surplus(height_of(i));
     if (!found && above >= 0) {
       found = true;
-      bulge.height_mm = root(surplus, {height_of(i - 1), below}, {height_of(i), above});
+      bulge.height_mm = bracketed_root(surplus, height_of(i - 1), below, height_of(i), above,
+                                       1e-9 * height_of(i));
     }
     if (above < below) {
       largest = hump(surplus, height_of(std::max(0, i - 2)), height_of(i));

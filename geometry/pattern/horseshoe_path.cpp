@@ -7,6 +7,7 @@
 
 #include "design/units.h"
 #include "geometry/pattern/link_chain.h"
+#include "numerics/root_search.h"
 
 namespace latticast {
 namespace {
@@ -239,15 +240,11 @@ Horseshoe stretched(const HorseshoeColumn& column, double stretch) {
   const Horseshoe& rest = column.shape;
   const double half = half_arc(rest);
   const double ratio = std::min(0.999, stretch * std::sin(half) / half);  // chord over arc
-  double low = 0;
-  double high = std::numbers::pi;
-  for (int i = 0; i < 50; ++i) {
-    const double middle = 0.5 * (low + high);
-    (std::sin(middle) > ratio * middle ? low : high) = middle;
-  }
+  const auto excess = [&](double angle) { return std::sin(angle) / angle - ratio; };
+  const double now = bracketed_root(excess, 0, 1 - ratio, std::numbers::pi, -ratio, 0);
   Horseshoe arc = rest;
-  arc.radius_mm = rest.radius_mm * half / low;
-  arc.arc_deg = degrees(2 * low);
+  arc.radius_mm = rest.radius_mm * half / now;
+  arc.arc_deg = degrees(2 * now);
   return arc;
 }
 

@@ -10,6 +10,7 @@
 
 #include "design/units.h"
 #include "geometry/pattern/link_chain.h"
+#include "numerics/root_search.h"
 
 namespace latticast {
 namespace {
@@ -262,13 +263,10 @@ SinusoidStrand closed(SinusoidStrand strand) {
 Sinusoid stretched(const SinusoidStrand& strand, double stretch) {
   const double chord = stretch * link_chord_mm(strand);
   const double ratio = std::max(fully_stretched, link_length_mm(strand) / chord);
-  double low = 0;
-  double high = 0.5 * pi * ratio;  // a half wave is longer than twice its amplitude
-  for (int i = 0; i < 50; ++i) {
-    const double middle = 0.5 * (low + high);
-    (Wave{1 / pi, middle}.length() < ratio ? low : high) = middle;
-  }
-  return {.amplitude_mm = high * chord / pi, .waves = strand.shape.waves};
+  const auto excess = [&](double slope) { return Wave{1 / pi, slope}.length() - ratio; };
+  const double highest = 0.5 * pi * ratio;  // a half wave is longer than twice its amplitude
+  const double slope = bracketed_root(excess, 0, excess(0), highest, excess(highest), 0);
+  return {.amplitude_mm = slope * chord / pi, .waves = strand.shape.waves};
 }
 
 double gap_within_mm(const SinusoidStrand& strand) {

@@ -118,6 +118,48 @@ void add_columns(const Segment& segment, const Grid& grid, const LawsByShape& la
   }
 }
 
+/// Where damped Newton steps have come to.
+struct Descent {
+  Balanced at;
+  double stretch = 0;
+  double bend = 0;
+  double last_step = 0;
+  int iterations = 0;
+};
+
+/// Shortens a Newton step until the energy falls by enough. False when nothing would be left of it.
+bool take_step(const Rods& rods, const RodsLoad& load, const std::array<double, 2>& step,
+               Descent& descent) {
+  const double promise = step[0] * descent.at.gradient[0] + step[1] * descent.at.gradient[1];
+  descent.last_step = std::max(std::abs(step[0]), std::abs(step[1]));
+  for (double length = 1; length * descent.last_step >= 1e-12 || length == 1; length *= 0.5) {
+    const double stretch = descent.stretch + length * step[0];
+    const double bend = descent.bend + length * step[1];
+    const auto next = balance(rods, load, stretch, bend);
+    // Within rounding the energy no longer tells; a full Newton step does no harm there.
+    if (next &&
+        (descent.last_step < 1e-6 || next->energy <= descent.at.energy + 1e-4 * length * promise)) {
+      descent.at = *next;
+      descent.stretch = stretch;
+      descent.bend = bend;
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The energy's minimum from rest, by Newton's method with a line search.
+std::optional<Descent> minimum(const Rods& rods, const RodsLoad& load) {
+  Descent descent{.at = *balance(rods, load, 0, 0)};
+  while (descent.iterations < most_iterations) {
+    const auto step = solved(descent.at, load, {-descent.at.gradient[0], -descent.at.gradient[1]});
+    if (!take_step(rods, load, step, descent)) return std::nullopt;
+    ++descent.iterations;
+    if (descent.last_step <= 1e-13) return descent;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 double Rods::axial_stiffness_n() const {
@@ -174,40 +216,19 @@ HorseshoeLaws laws_of(const Rods& rods) {
 std::optional<RodsState> rods_equilibrium(const Rods& rods, const RodsLoad& load,
                                           RodsRefusal* why) {
   if (why != nullptr) *why = RodsRefusal::law_range;
-  double stretch = 0;
-  double bend = 0;
-  Balanced at = *balance(rods, load, 0, 0);
-  RodsState state;
-  bool converged = false;
-  for (; !converged && state.iterations < most_iterations; ++state.iterations) {
-    const auto step = solved(at, load, {-at.gradient[0], -at.gradient[1]});
-    const double promise = step[0] * at.gradient[0] + step[1] * at.gradient[1];
-    const double size = std::max(std::abs(step[0]), std::abs(step[1]));
-    converged = size <= 1e-13;
-    double length = 1;
-    while (true) {
-      const auto next = balance(rods, load, stretch + length * step[0], bend + length * step[1]);
-      // Within rounding the energy no longer tells; a full Newton step does no harm there.
-      if (next && (size < 1e-6 || next->energy <= at.energy + 1e-4 * length * promise)) {
-        at = *next;
-        break;
-      }
-      length *= 0.5;
-      if (length * size < 1e-12) return std::nullopt;
-    }
-    stretch += length * step[0];
-    bend += length * step[1];
-    state.error = size;
-  }
-  if (!converged) return std::nullopt;
+  const auto found = minimum(rods, load);
+  if (!found) return std::nullopt;
+  const auto& [at, stretch, bend, last_step, iterations] = *found;
   if (!(1 + stretch - std::abs(bend) * rods.outer_radius_mm / rods.liner_outer_radius_mm > 0)) {
     if (why != nullptr) *why = RodsRefusal::no_length;
     return std::nullopt;
   }
   const double unit = rods.axial_stiffness_n();
+  RodsState state;
+  state.iterations = iterations;
   state.elongation = stretch;
-  state.error += error_of(at, load, load.pressure_mpa * rods.bore_area_mm2()) +
-                 std::numeric_limits<double>::epsilon() * (1 + std::abs(stretch));
+  state.error = last_step + (error_of(at, load, load.pressure_mpa * rods.bore_area_mm2()) +
+                             std::numeric_limits<double>::epsilon() * (1 + std::abs(stretch)));
   state.bend_rad_per_mm = bend / rods.liner_outer_radius_mm;
   if (load.hold_stretch) state.force_n = at.gradient[0];
   if (load.hold_bend) state.moment_nmm = at.gradient[1] * rods.arm_mm;

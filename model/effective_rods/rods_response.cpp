@@ -8,12 +8,12 @@
 
 #include "design/units.h"
 #include "model/equilibrium/branch_text.h"
+#include "numerics/root_search.h"
 
 namespace latticast {
 namespace {
 
 constexpr int scan_steps = 64;
-constexpr int most_halvings = 60;
 
 std::optional<RodsState> at_pressure(const Rods& rods, double pressure_kpa, Held held,
                                      RodsRefusal* why = nullptr) {
@@ -48,23 +48,19 @@ State state_of(const Rods& rods, const RodsState& found, double pressure_kpa) {
 /// The pressure between two, d|kappa|/dP having opposite signs there, where it is zero.
 AngleExtremum extremum_between(const Rods& rods, double length_mm, double low_kpa, double high_kpa,
                                const RodsState& at_low) {
-  const double sign = at_low.bend_rad_per_mm_per_mpa > 0 ? 1 : -1;
-  RodsState middle = at_low;
-  double pressure = low_kpa;
-  for (int i = 0; i < most_halvings; ++i) {
-    pressure = 0.5 * (low_kpa + high_kpa);
-    middle = *at_pressure(rods, pressure, {});
-    (middle.bend_rad_per_mm_per_mpa * sign > 0 ? low_kpa : high_kpa) = pressure;
-  }
+  const auto rate = [&](double pressure_kpa) {
+    return at_pressure(rods, pressure_kpa, {})->bend_rad_per_mm_per_mpa;
+  };
   AngleExtremum point;
   point.largest = at_low.bend_rad_per_mm_per_mpa * at_low.bend_rad_per_mm * low_kpa > 0;
-  point.pressure_kpa = pressure;
-  point.state = state_of(rods, middle, pressure);
+  point.pressure_kpa =
+      bracketed_root(rate, low_kpa, at_low.bend_rad_per_mm_per_mpa, high_kpa, rate(high_kpa), 0);
+  point.state = state_of(rods, *at_pressure(rods, point.pressure_kpa, {}), point.pressure_kpa);
   point.name = extremum_text(point, length_mm);
   return point;
 }
 
-void find_turning_points(const Rods& rods, double length_mm, double end_kpa, Response& response) {
+void find_angle_extrema(const Rods& rods, double length_mm, double end_kpa, Response& response) {
   std::optional<RodsState> before;
   for (int i = 1; i <= scan_steps; ++i) {
     const auto here = at_pressure(rods, end_kpa * i / scan_steps, {});
@@ -104,8 +100,8 @@ void predict_rods(const Rods& rods, double length_mm, std::span<const double> pr
     since = now;
   }
   if (held.stretch || held.bend) return;
-  if (highest > 0) find_turning_points(rods, length_mm, highest, response);
-  if (lowest < 0) find_turning_points(rods, length_mm, lowest, response);
+  if (highest > 0) find_angle_extrema(rods, length_mm, highest, response);
+  if (lowest < 0) find_angle_extrema(rods, length_mm, lowest, response);
 }
 
 }  // namespace latticast

@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "model/equilibrium/step_control.h"
+#include "numerics/root_search.h"
 
 namespace latticast {
 namespace {
 
 constexpr double least_angle = 1e-9;  // scaled, above rounding
 constexpr double accuracy = 1e-11;    // of a rate, against its change over the step
+constexpr double least_share = 1e-3;  // of the bracket, between a search's next place and its ends
 constexpr int most_halvings = 6;
 constexpr int most_iterations = 80;
 
@@ -54,27 +56,28 @@ Angle angle_of(const Balance& balance, bool bending) {
   return angle;
 }
 
-/// Where the rate is zero, its signs at the ends being different: the secant method kept inside its
-/// bracket (Illinois). Empty where the rate jumps instead.
+/// Where the rate is zero, its signs at the ends being different. Empty where the rate jumps
+/// instead.
 std::optional<ExtremumState> located(const Angle& angle, int pressure_entry,
                                      const BranchState& from, const BranchState& to,
                                      const EquilibriumNear& equilibrium) {
   BranchPoint low = from.x;
   BranchPoint high = to.x;
-  double at_low = angle.rate(from);
-  double at_high = angle.rate(to);
+  const double at_low = angle.rate(from);
+  const double at_high = angle.rate(to);
   const double sense = at_low > 0 ? 1 : -1;
   const double size = std::abs(at_low - at_high);
   const double step = std::abs(high[pressure_entry] - low[pressure_entry]);
-  int side = 0;
+  RootSearch search(low[pressure_entry], at_low, high[pressure_entry], at_high);
   for (int i = 0; i < most_iterations; ++i) {
-    const double fraction = std::clamp(at_low / (at_low - at_high), 1e-3, 1 - 1e-3);
-    const auto middle = equilibrium(between(low, high, fraction));
+    const double load = search.next(least_share);
+    const double fraction =
+        (load - low[pressure_entry]) / (high[pressure_entry] - low[pressure_entry]);
+    const auto middle = equilibrium(at_load(between(low, high, fraction), load, pressure_entry));
     if (!middle) return std::nullopt;
     const double rate = angle.rate(*middle);
-    const double width = std::abs(high[pressure_entry] - low[pressure_entry]);
     const double pressure = std::abs(middle->x[pressure_entry]);
-    const bool narrow = width < 1e-13 * pressure;
+    const bool narrow = search.width() < 1e-13 * pressure;
     if (std::abs(rate) < accuracy * size || narrow) {
       if (std::abs(rate) > 1e-3 * size) return std::nullopt;
       const bool outward = angle.count > 1 || middle->x[angle.first] > 0;
@@ -82,11 +85,8 @@ std::optional<ExtremumState> located(const Angle& angle, int pressure_entry,
       return ExtremumState{angle.of_bending, (sense > 0) == outward, middle->x, middle->balance,
                            error};
     }
-    const int now = rate * sense > 0 ? 1 : -1;
-    (now > 0 ? low : high) = middle->x;
-    (now > 0 ? at_low : at_high) = rate;
-    if (now == side) (now > 0 ? at_high : at_low) *= 0.5;
-    side = now;
+    (rate * sense > 0 ? low : high) = middle->x;
+    search.narrow(load, rate);
   }
   return std::nullopt;
 }

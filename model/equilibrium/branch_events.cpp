@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/equilibrium/step_control.h"
+#include "numerics/root_search.h"
 
 namespace latticast {
 namespace {
@@ -53,12 +54,14 @@ std::optional<CriticalState> bifurcation_between(const BranchState& here, const 
   const double step = distance(here.x, beyond.x);
   BranchPoint low = here.x;
   BranchPoint high = beyond.x;
-  double at_low = std::abs(here.nearest_eigenvalue);
-  double at_high = -std::abs(beyond.nearest_eigenvalue);
+  const double at_low = std::abs(here.nearest_eigenvalue);
+  const double at_high = -std::abs(beyond.nearest_eigenvalue);
   const double slope = (at_low - at_high) / (low[size] - high[size]);
-  int side = 0;
+  RootSearch search(low[size], at_low, high[size], at_high);
   for (int i = 0; i < most_iterations; ++i) {
-    const BranchPoint start = between(low, high, at_low / (at_low - at_high));
+    const double load = search.next();
+    const double fraction = (load - low[size]) / (high[size] - low[size]);
+    const BranchPoint start = at_load(between(low, high, fraction), load, size);
     const auto middle = correct(start, load_axis(size));
     if (!middle || distance(middle->x, start) > greatest_contraction * step) return std::nullopt;
     const double error = std::abs(middle->nearest_eigenvalue / (slope * middle->x[size]));
@@ -67,10 +70,7 @@ std::optional<CriticalState> bifurcation_between(const BranchState& here, const 
     }
     const bool before = middle->negative_eigenvalues == here.negative_eigenvalues;
     (before ? low : high) = middle->x;
-    (before ? at_low : at_high) = std::abs(middle->nearest_eigenvalue) * (before ? 1 : -1);
-    const int now = before ? 1 : -1;
-    if (now == side) (before ? at_high : at_low) *= 0.5;
-    side = now;
+    search.narrow(load, std::abs(middle->nearest_eigenvalue) * (before ? 1 : -1));
   }
   return std::nullopt;
 }

@@ -24,7 +24,7 @@ double change(double contraction) {
 }  // namespace
 
 BranchStep judged_step(const BranchState& here, const BranchPoint& start,
-                 const std::optional<BranchState>& corrected, int size) {
+                       const std::optional<BranchState>& corrected, int size) {
   if (!corrected) return {};
   // In coordinates alone: a pressure far beyond the liner's strength would hide their changes.
   const double contraction =

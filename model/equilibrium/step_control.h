@@ -24,7 +24,7 @@ struct BranchStep {
 /// greatest_contraction, the tangent turns by at most 18 degrees, and the load does not seem to
 /// turn back and forth in between.
 BranchStep judged_step(const BranchState& here, const BranchPoint& start,
-                 const std::optional<BranchState>& corrected, int size);
+                       const std::optional<BranchState>& corrected, int size);
 
 /// Length to try again with after a step that does not count: a tenth to a half.
 double shortened(double length, double contraction);

@@ -19,25 +19,26 @@ cd "${1:?usage: structure_check.sh ROOT}"
 # A room, then everything that it may include besides itself; a folder's name stands for all of its
 # rooms. app, bench and tests may include all.
 below='
+numerics
 design/material
 design                   design/material
 geometry/mesh
-geometry/pattern         design geometry/mesh
-geometry/solid           design geometry/mesh geometry/pattern
+geometry/pattern         numerics design geometry/mesh
+geometry/solid           numerics design geometry/mesh geometry/pattern
 model/numerics
 model/horseshoe          design geometry/pattern model/numerics
 model/section            design geometry/pattern model/numerics model/horseshoe
-model/equilibrium        design model/numerics model/horseshoe model/section
-model/effective_rods     design model/numerics model/horseshoe model/equilibrium
+model/equilibrium        numerics design model/numerics model/horseshoe model/section
+model/effective_rods     numerics design model/numerics model/horseshoe model/equilibrium
 model/shape              design geometry model/numerics model/horseshoe model/section model/equilibrium
-model                    design geometry/mesh geometry/pattern model
+model                    numerics design geometry/mesh geometry/pattern model
 molds                    design geometry
 export                   design geometry/mesh
 export/mesh              design geometry/mesh export/.
 export/picture           design geometry/mesh export/.
 export/flat              design export/.
 prepared                 design geometry model molds
-checks                   design geometry model molds prepared
+checks                   numerics design geometry model molds prepared
 report                   design geometry model molds export prepared checks
 app                      *
 bench                    *
@@ -187,7 +188,7 @@ machine_path_violations() {
 # All headers share one namespace: two types of one name would share their constructors, too, and the
 # linker keeps only one of each.
 repeated_type_violations() {
-  { grep -E '^(design|geometry|model|molds|export|prepared|checks|report|app|bench)/.*\.h$' || true; } |
+  { grep -E '^(numerics|design|geometry|model|molds|export|prepared|checks|report|app|bench)/.*\.h$' || true; } |
     { xargs -d '\n' -r grep -HnE '^(struct|class|enum class|union) +[A-Za-z0-9_]+( |:|[{]|$)' || true; } |
     awk -F: '
       {
