@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Follows a curve of solutions from rest to a strain, for methods that can solve near a guess.
+// Natural continuation of an arc's equilibrium from rest to a strain, for methods that can solve
+// near a guess.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ways to solve the pulled arc that the model does not use, to measure it against (MODEL.md section
-// 4): collocation and shooting, both followed from rest.
+// Collocation and shooting for the pulled arc (docs/horseshoe.md#equation), both followed from
+// rest: methods that the model does not use, to measure it against.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pulled arc in extended precision, twice and independently (MODEL.md section 4).
+// Reference solution of the pulled arc (docs/horseshoe.md#equation) in extended precision, by two
+// independent ways.
 #pragma once
 
 #include "model/horseshoe/arc_equilibrium.h"

@@ -33,7 +33,8 @@ struct Case {
   double beyond;  // ... on top of it
 };
 
-// The rubber's columns are pulled to about full extension; MODEL.md section 5 gives both shapes.
+// The rubber's columns are pulled to about full extension; docs/horseshoe.md#equation says what the
+// shapes mean.
 constexpr Case cases[] = {
     {"180° w/R 0.753: half extended", 85.0 / 32, 180, 2, 0.5, 0},
     {"180° w/R 0.753: pushed", 85.0 / 32, 180, 2, -0.35, 0},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Equilibrium of a section in extended precision, written apart from the model's energy (MODEL.md
-// sections 1, 3 and 5).
+// Reference equilibrium of a section in extended precision, written apart from the model's energy
+// (docs/model.md#energy, docs/bending.md#distributed-columns).
 #pragma once
 
 #include "model/equilibrium/balance.h"

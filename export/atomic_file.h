@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files that appear whole or not at all: written under a temporary name, then renamed.
+// Atomic file writer: a file is written under a temporary name, then renamed, so that it appears
+// whole or not at all.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one colour type of pictures and mesh files.
+// sRGB colour, of pictures and mesh files.
 #pragma once
 
 namespace latticast {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drawings of a flat sheet at true scale, for a laser cutter or a drawing board: SVG and DXF.
+// Flat drawings, SVG and DXF: a sheet at true scale, for a laser cutter or a drawing board.
 #pragma once
 
 #include <array>

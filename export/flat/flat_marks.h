@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands around a flat drawing, the same for every format.
+// Marks around a flat drawing, lines and texts, the same for every format.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GLB: glTF 2.0 in one binary file, for viewers. Its own units are metres with y upward.
+// GLB, glTF 2.0 in one binary file: a scene of bodies with states, for viewers. Its own units are
+// metres with y upward.
 #pragma once
 
 #include <filesystem>

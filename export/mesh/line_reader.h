@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text mesh files, read line by line and word by word.
+// Line reader of text mesh files: lines, words, and numbers rounded to float32.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers as binary files hold them: the least significant byte first.
+// Little-endian numbers: binary files hold the least significant byte first.
 #pragma once
 
 #include <bit>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every mesh must be before it is written.
+// Mesh preconditions: what every mesh must be before it is written.
 #pragma once
 
 #include <span>

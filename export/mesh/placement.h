@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a file puts a mesh: an affine map of space.
+// Affine map of space: where a file puts a mesh.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// XML as a sequence of elements that begin and end.
+// XML reader (expat): a document as a sequence of elements that begin and end.
 #pragma once
 
 #include <filesystem>

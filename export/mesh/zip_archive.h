@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Zip archives in memory.
+// Zip archives (libzip), in memory.
 #pragma once
 
 #include <filesystem>

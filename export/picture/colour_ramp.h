@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Colours for strains.
+// Diverging colour map for strains: equal steps look equally large in Oklab [Ottosson 2020].
 #pragma once
 
 #include <array>

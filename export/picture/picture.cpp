@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "export/picture/obscurance.h"
+#include "export/picture/ambient_occlusion.h"
 #include "export/picture/rasteriser.h"
 #include "export/picture/vectors.h"
 #include "export/picture/view.h"
@@ -89,7 +89,7 @@ class Scene {
  public:
   Scene(const std::vector<PictureObject>& objects, const View& view, const PictureOptions& options)
       : opaque_(samples * options.width, samples * options.height),
-        obscurance_(0.025 * samples * std::min(options.width, options.height), samples) {
+        occlusion_(0.025 * samples * std::min(options.width, options.height), samples) {
     for (const PictureObject& object : objects) {
       if (object.opacity >= 1) {
         draw_object(opaque_, object, view, facets_);
@@ -109,7 +109,7 @@ class Scene {
     Paint paint;
     if (opaque_.facet[at] != Layer::none) {
       const Facet& facet = facets_[opaque_.facet[at]];
-      const double light = obscurance_.openness(opaque_, column, row, facet.normal);
+      const double light = occlusion_.openness(opaque_, column, row, facet.normal);
       paint.lay(light * facet.colour, 1);
     }
     for (const Layer& layer : transparent_) {
@@ -128,7 +128,7 @@ class Scene {
   Layer opaque_;
   std::vector<Layer> transparent_;
   std::vector<Facet> facets_;
-  Obscurance obscurance_;
+  AmbientOcclusion occlusion_;
 };
 
 Paint pixel(const Scene& scene, int column, int row) {

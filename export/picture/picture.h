@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of meshes for papers and READMEs, drawn without a window system.
+// Mesh renderer: pictures for papers and READMEs, drawn without a window system.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures on disk.
+// PNG writer (libpng): a picture becomes a file.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which facet each sample of a picture shows: a z-buffer.
+// Z-buffer rasteriser: which facet each sample of a picture shows.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From mm in space to a place on the screen.
+// Camera, orthographic or perspective: from mm in space to a place on the screen.
 #pragma once
 
 #include <vector>

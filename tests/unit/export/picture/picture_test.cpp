@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "export/picture/obscurance.h"
+#include "export/picture/ambient_occlusion.h"
 #include "tests/unit/export/mesh/example_meshes.h"
 
 namespace latticast {
@@ -215,8 +215,8 @@ TEST(Openness, IsFullOnAnOpenFaceAndLessBesideAWall) {
     depth = 50;
   }
   const Point towards_the_eye{0, 0, -1};
-  const Obscurance obscurance(20, 3);
-  EXPECT_DOUBLE_EQ(obscurance.openness(layer, 100, 50, towards_the_eye), 1);
+  const AmbientOcclusion occlusion(20, 3);
+  EXPECT_DOUBLE_EQ(occlusion.openness(layer, 100, 50, towards_the_eye), 1);
   for (int row = 0; row < 100; ++row) {
     for (int column = 103; column < 200; ++column) {
       layer.depth[static_cast<std::size_t>(row) * 200 + column] = 40;
@@ -225,7 +225,7 @@ TEST(Openness, IsFullOnAnOpenFaceAndLessBesideAWall) {
   const auto mean = [&](int left) {
     double sum = 0;
     for (int i = 0; i < 9; ++i) {
-      sum += obscurance.openness(layer, left + i % 3, 48 + i / 3, towards_the_eye) / 9;
+      sum += occlusion.openness(layer, left + i % 3, 48 + i / 3, towards_the_eye) / 9;
     }
     return sum;
   };

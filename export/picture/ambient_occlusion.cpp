@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "export/picture/obscurance.h"
+#include "export/picture/ambient_occlusion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,8 @@ double depth_at(const Layer& layer, int column, int row) {
 
 }  // namespace
 
-Obscurance::Obscurance(double radius, int samples) : radius_(radius), samples_(samples) {
+AmbientOcclusion::AmbientOcclusion(double radius, int samples)
+    : radius_(radius), samples_(samples) {
   const int places = samples * samples;
   for (int place = 0; place < places; ++place) {
     std::vector<Step>& steps = steps_.emplace_back();
@@ -37,7 +38,8 @@ Obscurance::Obscurance(double radius, int samples) : radius_(radius), samples_(s
   }
 }
 
-double Obscurance::openness(const Layer& layer, int column, int row, const Point& normal) const {
+double AmbientOcclusion::openness(const Layer& layer, int column, int row,
+                                  const Point& normal) const {
   const double here = depth_at(layer, column, row);
   double sum = 0;
   for (const Step& step : steps_[column % samples_ + samples_ * (row % samples_)]) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Crevices are darker than open faces.
+// Screen-space ambient occlusion: how open each place of a picture is to light from all sides, from
+// its depths alone, by the Alchemy method [McGuire 2011].
 #pragma once
 
 #include <vector>
@@ -9,14 +10,13 @@
 namespace latticast {
 
 /// How much of the light from all round reaches a sample: less where other samples stand close
-/// before its facet. After McGuire, Osman, Bukowski and Hennessy, "The Alchemy screen-space ambient
-/// obscurance algorithm", HPG 2011. Neighbouring samples look in different directions, so that only
+/// before its facet. Neighbouring samples look in different directions, so that only
 /// the mean over a pixel is smooth.
-class Obscurance {
+class AmbientOcclusion {
  public:
   /// What is farther than `radius`, in samples, does not count. A pixel has samples x samples of
   /// them.
-  Obscurance(double radius, int samples);
+  AmbientOcclusion(double radius, int samples);
 
   /// From 0 to 1. `normal` is the unit normal of the sample's facet as (right, down, away from the
   /// eye), turned towards the eye.
