@@ -109,6 +109,14 @@ const char* name(Status status) {
   return "";
 }
 
+nlohmann::ordered_json law_json(const StrandLaw& law) {
+  nlohmann::ordered_json json;
+  for (const auto& [name, size] : describe(law.shape()).sizes) json[std::string(name)] = size;
+  json["strain_range"] = {law.range().lowest, law.range().highest};
+  json["relative_force_error"] = law.accuracy().force_error;
+  return json;
+}
+
 nlohmann::ordered_json to_json(const SegmentPrediction& result, const Segment& segment) {
   nlohmann::ordered_json json;
   json["requested_kPa"] = result.pressures_kpa;
@@ -129,14 +137,7 @@ nlohmann::ordered_json to_json(const SegmentPrediction& result, const Segment& s
   json["solved"] = result.response.solved;
   json["horseshoe_laws"] = nlohmann::ordered_json::array();
   for (const auto& law : result.response.laws) {
-    const HorseshoeShape& shape = law->shape();
-    json["horseshoe_laws"].push_back({{"radius_mm", shape.radius_mm},
-                                      {"arc_deg", degrees(shape.arc_rad)},
-                                      {"width_mm", shape.width_mm},
-                                      {"thickness_mm", shape.thickness_mm},
-                                      {"youngs_modulus_MPa", shape.youngs_modulus_mpa},
-                                      {"strain_range", {law->range().lowest, law->range().highest}},
-                                      {"relative_force_error", law->accuracy().force_error}});
+    json[std::string(path_name(law->shape())) + "_laws"].push_back(law_json(*law));
   }
   json["states"] = states_to_json(result.response, segment);
   if (result.softest) json["softest_liner"] = states_to_json(*result.softest, segment);

@@ -7,9 +7,9 @@
 #include <variant>
 
 #include "bench/plain_path.h"
-#include "model/horseshoe/horseshoe_strands.h"
 #include "model/section/section_energy.h"
 #include "model/segment_response.h"
+#include "model/strand/links.h"
 
 namespace latticast {
 namespace {

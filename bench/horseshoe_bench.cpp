@@ -8,6 +8,7 @@
 #include <benchmark/benchmark.h>
 
 #include "model/horseshoe/horseshoe_law.h"
+#include "model/strand/links.h"
 
 namespace latticast {
 namespace {
@@ -26,7 +27,7 @@ void worst_law(benchmark::State& state) {
       for (int power = -30; power <= 20; power += 5) {
         const double slenderness = std::pow(10, 0.1 * power);
         const std::clock_t begin = std::clock();
-        benchmark::DoNotOptimize(HorseshoeLaw(shape_of(arc, slenderness)));
+        benchmark::DoNotOptimize(make_law(shape_of(arc, slenderness)));
         const double ms = 1000.0 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
         if (ms <= worst_ms) continue;
         worst_ms = ms;
@@ -43,22 +44,22 @@ void worst_law(benchmark::State& state) {
 void build_law(benchmark::State& state, double arc_deg, double slenderness,
                double radius_mm = 3.5) {
   const HorseshoeShape shape = shape_of(arc_deg, slenderness, radius_mm);
-  const HorseshoeLaw law(shape);
-  for ([[maybe_unused]] auto run : state) benchmark::DoNotOptimize(HorseshoeLaw(shape));
-  state.counters["pieces"] = static_cast<double>(law.arc_law().breaks().size() - 1);
+  const StrandLaw law = make_law(shape);
+  for ([[maybe_unused]] auto run : state) benchmark::DoNotOptimize(make_law(shape));
+  state.counters["pieces"] = static_cast<double>(law.table().breaks().size() - 1);
   state.counters["force_error"] = law.accuracy().force_error;
   state.counters["slope_error"] = law.accuracy().slope_error;
 }
 
 void build_many(benchmark::State& state, int threads) {
-  std::vector<HorseshoeShape> shapes;
+  std::vector<LinkShape> shapes;
   shapes.reserve(16);
   for (int i = 0; i < 16; ++i) shapes.push_back(shape_of(170, 0.4 + 0.05 * i));
-  for ([[maybe_unused]] auto run : state) benchmark::DoNotOptimize(horseshoe_laws(shapes, threads));
+  for ([[maybe_unused]] auto run : state) benchmark::DoNotOptimize(make_laws(shapes, threads));
 }
 
 void ask_law(benchmark::State& state, double arc_deg, double slenderness) {
-  const HorseshoeLaw law(shape_of(arc_deg, slenderness));
+  const StrandLaw law = make_law(shape_of(arc_deg, slenderness));
   // Strains in no order, so that the search for the piece cannot be foreseen.
   std::vector<double> strains(4096);
   unsigned number = 1;

@@ -165,7 +165,7 @@ class Comparison {
   }
 
   std::vector<Trial> interpolant() const {
-    const ArcLaw law(arc_, widest_range(shape_));
+    const ForceTable law = arc_table(arc_, widest_range(shape_));
     Trial trial = tried(0, reference_.force, [&] { return std::optional(law.at(strain_)->force); });
     constexpr int calls = 1000;
     double sum = 0;
@@ -186,7 +186,7 @@ class Comparison {
 };
 
 /// Largest relative error of the force over strains all over the range, rest left out.
-double worst_error(const HorseshoeLaw& law, const Arc& arc) {
+double worst_error(const StrandLaw& law, const Arc& arc) {
   constexpr int count = 29;
   const ArcSolver solver(arc);
   const StrainRange& range = law.range();
@@ -196,14 +196,14 @@ double worst_error(const HorseshoeLaw& law, const Arc& arc) {
     const double strain = range.lowest * (1 - t) + range.highest * t;
     const auto near = solver.advance(solver.rest(), strain);
     const long double reference = arc_reference_force(arc, near.value());
-    const double force = law.arc_law().at(strain)->force;
+    const double force = law.table().at(strain)->force;
     worst = std::max(worst, static_cast<double>(std::abs(force / reference - 1)));
   }
   return worst;
 }
 
 /// Time of one evaluation, at strains in no order.
-double evaluation_seconds(const HorseshoeLaw& law) {
+double evaluation_seconds(const StrandLaw& law) {
   std::vector<double> strains(4096);
   unsigned number = 1;
   for (double& strain : strains) {
@@ -231,10 +231,10 @@ StudyTable law_table() {
                                              {300.0, 0.001},
                                              {300.0, 100.0}}) {
     const HorseshoeShape shape{1, arc_deg * std::numbers::pi / 180, slenderness, 2, 19.46};
-    const HorseshoeLaw law(shape);
-    const double building = processor_seconds([&] { HorseshoeLaw{shape}; });
+    const StrandLaw law = make_law(shape);
+    const double building = processor_seconds([&] { make_law(shape); });
     const double evaluation = evaluation_seconds(law);
-    table.add({arc_deg, slenderness, static_cast<double>(law.arc_law().breaks().size() - 1),
+    table.add({arc_deg, slenderness, static_cast<double>(law.table().breaks().size() - 1),
                worst_error(law, arc_of(shape)), law.accuracy().force_error, evaluation * 1e9,
                building * 1e3, std::round(building / evaluation)});
   }

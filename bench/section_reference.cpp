@@ -150,7 +150,7 @@ class Wall {
       const Jet r = radius(rest);
       Jet sum = Jet(section_.ring_modulus_mpa / 2) * square(r / Jet(rest) - Jet(1));
       for (const StrandFamily& family : section_.families) {
-        if (family.arcs_per_mm == 0) sum = sum + strips(family, rest, r);
+        if (family.links_per_mm == 0) sum = sum + strips(family, rest, r);
       }
       return sum;
     });
@@ -189,15 +189,15 @@ class Wall {
     const Real rest = (Real{section_.liner_outer_radius_mm} + section_.outer_radius_mm) / 2;
     const Jet r = radius(rest);
     for (const StrandFamily& family : section_.families) {
-      if (family.arcs_per_mm == 0) continue;
-      const auto add = [&](const HorseshoeLaw& law, const Place& place) {
+      if (family.links_per_mm == 0) continue;
+      const auto add = [&](const StrandLaw& law, const Place& place) {
         const auto [around, along] = carried(family, rest, r, place);
         const Jet strain = root(square(around) + square(along)) - Jet(1);
         // The strain, rounded to double, is made up for by the slope.
         const auto rounded = static_cast<double>(strain.value);
-        const HorseshoeState at = law.at(rounded).value();
+        const LinkState at = law.at(rounded).value();
         const Real force = at.force_n + at.slope_n * (strain.value - rounded);
-        const Real share = force * rest_chord_mm(law.shape()) * family.arcs_per_mm * place.weight;
+        const Real share = force * law.rest_chord_mm() * family.links_per_mm * place.weight;
         for (int i = 0; i < coordinate_count; ++i) gradient[i] += share * strain.slope[i];
       };
       if (family.averaged) {

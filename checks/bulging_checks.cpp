@@ -12,7 +12,7 @@
 #include "design/units.h"
 #include "geometry/pattern/rings.h"
 #include "model/bulging.h"
-#include "model/horseshoe/horseshoe_strands.h"
+#include "model/strand/links.h"
 
 namespace latticast {
 namespace {

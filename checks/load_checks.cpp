@@ -10,7 +10,7 @@
 #include "checks/strain_checks.h"
 #include "checks/validity_checks.h"
 #include "design/unsupported_design.h"
-#include "model/horseshoe/arc_law.h"
+#include "model/law/force_table.h"
 
 namespace latticast {
 namespace {
@@ -39,7 +39,7 @@ CheckFindings load_checks(PreparedResponses& responses) {
       check_validity(loaded, findings);
     } catch (const UnsupportedDesign& reason) {
       findings.push_back(not_predictable(i, reason.what()));
-    } catch (const ArcNotSolved& reason) {
+    } catch (const LawNotSolved& reason) {
       findings.push_back(not_predictable(i, reason.what()));
     }
   }

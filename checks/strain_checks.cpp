@@ -12,9 +12,8 @@
 
 #include "checks/strand_stations.h"
 #include "design/material/drucker.h"
-#include "model/horseshoe/horseshoe_fibre.h"
-#include "model/horseshoe/horseshoe_strands.h"
 #include "model/shape/inflated_wall.h"
+#include "model/strand/links.h"
 
 namespace latticast {
 namespace {

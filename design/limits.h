@@ -18,6 +18,7 @@ inline constexpr int nesting = 32;  ///< of tables and lists, and parts of a dot
 inline constexpr Range length{1e-3, 1e5, "mm"};
 inline constexpr Range grid_angle{0, 180, "degrees", true};
 inline constexpr Range horseshoe_arc{20, 300, "degrees"};
+inline constexpr Range waves{0.5, 5000};  ///< on one strand, two links each
 inline constexpr Range pressure{-1e5, 1e5, "kPa"};
 inline constexpr Range tolerance{1e-5, 1, "mm"};
 

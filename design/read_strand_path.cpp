@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/read_strand_path.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/core.h>
@@ -27,12 +28,33 @@ Horseshoe read_horseshoe(const Field& field, double strand_mm) {
   return path;
 }
 
+Sinusoid read_sinusoid(const Field& field) {
+  TableReader table = field.as_table("write sinusoid = { amplitude = 2, waves = 8 }");
+  Sinusoid path;
+  path.amplitude_mm = table.need("amplitude", "amplitude = 2").number(limits::length);
+  const Field waves = table.need("waves", "waves = 8");
+  path.waves = waves.number(limits::waves);
+  if (2 * path.waves != std::round(2 * path.waves) && !std::isnan(path.waves)) {
+    waves.refuse(
+        "must be a whole or half number, so that the strand ends on its chord line",
+        fmt::format("write waves = {:g}", std::max(0.5, 0.5 * std::round(2 * path.waves))));
+  }
+  table.refuse_unknown_keys();
+  return path;
+}
+
 }  // namespace
 
 StrandPath read_strand_path(TableReader& table, const Segment& segment, double angle_deg) {
   const double strand_mm = segment.length_mm / std::sin(radians(angle_deg));
   const Field horseshoe = table.may("horseshoe");
+  const Field sinusoid = table.may("sinusoid");
+  if (horseshoe.present() && sinusoid.present()) {
+    sinusoid.refuse("a strand follows one path, but horseshoe is given as well",
+                    "keep horseshoe or sinusoid");
+  }
   if (horseshoe.present()) return read_horseshoe(horseshoe, strand_mm);
+  if (sinusoid.present()) return read_sinusoid(sinusoid);
   return StraightPath{};
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "model/horseshoe/horseshoe_strands.h"
 #include "model/segment_response.h"
+#include "model/strand/links.h"
 
 namespace latticast {
 namespace {

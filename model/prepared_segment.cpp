@@ -6,14 +6,14 @@
 namespace latticast {
 
 PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model,
-                                const HorseshoeLaws& known) {
+                                const StrandLaws& known) {
   if (model.columns == ColumnModel::rods) {
     return {segment.length_mm, prepare_rods(segment, known)};
   }
   return {segment.length_mm, prepare_section(segment, model, known)};
 }
 
-HorseshoeLaws laws_of(const PreparedSegment& segment) {
+StrandLaws laws_of(const PreparedSegment& segment) {
   return std::visit([](const auto& section) { return laws_of(section); }, segment.section);
 }
 

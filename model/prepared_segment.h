@@ -6,7 +6,7 @@
 
 #include "design/design.h"
 #include "model/effective_rods/rods.h"
-#include "model/horseshoe/horseshoe_law.h"
+#include "model/law/strand_law.h"
 #include "model/section/section.h"
 
 namespace latticast {
@@ -21,9 +21,9 @@ struct PreparedSegment {
 /// Prepares a segment under the chosen column model, reusing `known` laws where they fit. Throws
 /// UnsupportedDesign as prepare_section and prepare_rods do.
 PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model,
-                                const HorseshoeLaws& known = {});
+                                const StrandLaws& known = {});
 
 /// The laws that a prepared segment uses.
-HorseshoeLaws laws_of(const PreparedSegment& segment);
+StrandLaws laws_of(const PreparedSegment& segment);
 
 }  // namespace latticast

@@ -78,13 +78,13 @@ std::string reason_of_loss(const Balance& balance, const BranchState& here) {
     return ": the liner's rubber has come to its stretch limit (Gent), where its stress is "
            "unbounded";
   }
-  const auto horseshoe = most_strained_horseshoe(section, q);
-  if (horseshoe && (horseshoe->strain > 0.95 * horseshoe->range.highest ||
-                    horseshoe->strain < 0.95 * horseshoe->range.lowest)) {
+  const auto link = most_strained_link(section, q);
+  if (link &&
+      (link->strain > 0.95 * link->range.highest || link->strain < 0.95 * link->range.lowest)) {
     char text[120];
-    std::snprintf(text, sizeof text,
-                  ": a horseshoe strand is strained by %.3g, its law ends at %.3g and %.3g",
-                  horseshoe->strain, horseshoe->range.lowest, horseshoe->range.highest);
+    std::snprintf(
+        text, sizeof text, ": a %s strand is strained by %.3g, its law ends at %.3g and %.3g",
+        std::string(link->path).c_str(), link->strain, link->range.lowest, link->range.highest);
     return text;
   }
   const double lift = std::hypot(q.bend_1, q.bend_2) *

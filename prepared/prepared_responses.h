@@ -12,7 +12,7 @@
 
 #include "design/design.h"
 #include "model/chain.h"
-#include "model/horseshoe/horseshoe_strands.h"
+#include "model/strand/links.h"
 #include "model/prediction.h"
 #include "model/segment_response.h"
 

@@ -34,9 +34,9 @@ Json grid_json(const Grid& grid) {
   const PathDescription path = describe(grid.path);
   Json sizes = Json::object();
   for (const auto& [name, value] : path.parameters) {
-    std::visit([&](auto size) { sizes[name] = size; }, value);
+    std::visit([&](auto size) { sizes[std::string(name)] = size; }, value);
   }
-  json[path.name] = std::move(sizes);
+  json[std::string(path.name)] = std::move(sizes);
   return json;
 }
 

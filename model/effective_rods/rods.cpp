@@ -7,7 +7,7 @@
 #include <numbers>
 #include <variant>
 
-#include "model/horseshoe/horseshoe_strands.h"
+#include "model/strand/links.h"
 
 namespace latticast {
 namespace {
@@ -28,7 +28,7 @@ std::optional<Pull> pull(const EffectiveRod& rod, double strain) {
   for (const auto& [law, count] : rod.columns) {
     const auto arc = law->at(strain);
     if (!arc) return std::nullopt;
-    sum.energy_n += count * arc->energy_nmm / rest_chord_mm(law->shape());
+    sum.energy_n += count * arc->energy_nmm / law->rest_chord_mm();
     sum.force_n += count * arc->force_n;
     sum.slope_n += count * arc->slope_n;
     sum.error_n += count * arc->error * std::abs(arc->force_n);
@@ -176,7 +176,7 @@ double Rods::bore_area_mm2() const {
   return pi * inner_radius_mm * inner_radius_mm;
 }
 
-Rods prepare_rods(const Segment& segment, const HorseshoeLaws& known) {
+Rods prepare_rods(const Segment& segment, const StrandLaws& known) {
   Rods rods;
   rods.inner_radius_mm = segment.inner_radius_mm();
   rods.liner_outer_radius_mm = segment.liner_outer_radius_mm();
@@ -201,8 +201,8 @@ Rods prepare_rods(const Segment& segment, const HorseshoeLaws& known) {
   return rods;
 }
 
-HorseshoeLaws laws_of(const Rods& rods) {
-  HorseshoeLaws laws;
+StrandLaws laws_of(const Rods& rods) {
+  StrandLaws laws;
   for (const EffectiveRod& half : rods.halves) {
     for (const auto& column : half.columns) {
       if (std::find(laws.begin(), laws.end(), column.law) == laws.end()) {

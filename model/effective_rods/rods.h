@@ -10,17 +10,17 @@
 
 #include "design/design.h"
 #include "design/unsupported_design.h"
-#include "model/horseshoe/horseshoe_law.h"
+#include "model/law/strand_law.h"
 
 namespace latticast {
 
 /// The columns of one half, pulled together.
 struct EffectiveRod {
   struct Column {
-    std::shared_ptr<const HorseshoeLaw> law;
+    std::shared_ptr<const StrandLaw> law;
     int count = 0;
   };
-  std::vector<Column> columns;      ///< horseshoes, by law
+  std::vector<Column> columns;      ///< curved ones, by law
   double straight_stiffness_n = 0;  ///< sum of E w h over straight columns
 };
 
@@ -67,18 +67,18 @@ struct RodsState {
 
 /// Reads a segment's axial columns. Strands with 2 j < n form the half at +90 degrees. A rubber
 /// liner enters with E_s = 3 G, G its shear modulus at rest. Throws UnsupportedDesign for a grid
-/// that is not axial, for a lattice material that is not linear and for horseshoes outside of
+/// that is not axial, for a lattice material that is not linear and for links outside of
 /// their law's scope.
-Rods prepare_rods(const Segment& segment, const HorseshoeLaws& known = {});
+Rods prepare_rods(const Segment& segment, const StrandLaws& known = {});
 
-HorseshoeLaws laws_of(const Rods& rods);
+StrandLaws laws_of(const Rods& rods);
 
 /// The equilibrium of
 ///     P pi R_i^2 + N = E_s e0 pi (R_m^2 - R_i^2) + f_+ + f_-
 ///     M              = E_s kappa pi (R_m^4 - R_i^4)/4 + (f_+ - f_-) arm,   f at e0 +- kappa R_m
 /// With the second one times R_m/arm, they are the gradient of a convex function, the laws'
 /// slopes being positive: there is one solution at most, and damped Newton steps find it. Empty
-/// where a horseshoe would leave its law's range, or where a side of the wall would be left without
+/// where a link would leave its law's range, or where a side of the wall would be left without
 /// length (1 + e0 - |kappa| R_o <= 0, which a linear liner does not know of); `why` then says
 /// which.
 std::optional<RodsState> rods_equilibrium(const Rods& rods, const RodsLoad& load,

@@ -20,11 +20,14 @@ std::optional<RodsState> at_pressure(const Rods& rods, double pressure_kpa, Held
   return rods_equilibrium(rods, {mpa_from_kpa(pressure_kpa), 0, 0, held.stretch, held.bend}, why);
 }
 
-std::string refusal_text(double pressure_kpa, RodsRefusal why) {
-  return "at " + pressure_text(pressure_kpa) +
-         (why == RodsRefusal::law_range
-              ? " a horseshoe column would leave its law's range of strain"
-              : " a side of the wall would be compressed to no length at all");
+std::string refusal_text(const Rods& rods, double pressure_kpa, RodsRefusal why) {
+  const std::string at = "at " + pressure_text(pressure_kpa);
+  if (why == RodsRefusal::no_length) {
+    return at + " a side of the wall would be compressed to no length at all";
+  }
+  const StrandLaws laws = laws_of(rods);
+  return at + " a " + std::string(path_name(laws.front()->shape())) +
+         " column would leave its law's range of strain";
 }
 
 State state_of(const Rods& rods, const RodsState& found, double pressure_kpa) {
@@ -89,7 +92,7 @@ void predict_rods(const Rods& rods, double length_mm, std::span<const double> pr
     if (!found) {
       if (response.status != Status::ok) continue;
       response.status = Status::not_converged;
-      response.message = refusal_text(pressures_kpa[i], why);
+      response.message = refusal_text(rods, pressures_kpa[i], why);
       continue;
     }
     lowest = std::min(lowest, pressures_kpa[i]);

@@ -13,10 +13,10 @@ constexpr double law_end = 1e-6;  // room in a strand's law, relative, that coun
 /// What is left of a strand's law on the way to its nearer end: 1 at rest, 0 there, and below 0
 /// past it. Empty without such strands, or where the state cannot exist.
 std::optional<double> room_in_laws(const Balance& balance, const BranchPoint& x) {
-  const auto horseshoe = most_strained_horseshoe(balance.section(), balance.deformation(x));
-  if (!horseshoe) return std::nullopt;
-  const StrainRange& range = horseshoe->range;
-  return std::min(1 - horseshoe->strain / range.lowest, 1 - horseshoe->strain / range.highest);
+  const auto link = most_strained_link(balance.section(), balance.deformation(x));
+  if (!link) return std::nullopt;
+  const StrainRange& range = link->range;
+  return std::min(1 - link->strain / range.lowest, 1 - link->strain / range.highest);
 }
 
 }  // namespace

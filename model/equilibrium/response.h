@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/equilibrium/state.h"
-#include "model/horseshoe/horseshoe_law.h"
+#include "model/law/strand_law.h"
 
 namespace latticast {
 
@@ -68,7 +68,7 @@ struct Response {
   std::vector<AngleExtremum> angle_extrema;  ///< met on the way
   std::vector<std::string> solved;  ///< coordinates solved for: stretch, twist, bend-1, bend-2,
                                     ///< radius; the others are held or zero by symmetry
-  HorseshoeLaws laws;               ///< of the horseshoe strands, with range and accuracy
+  StrandLaws laws;                  ///< of the curved strands, with range and accuracy
   std::string message;              ///< empty when status is ok and no limit point was met
 };
 

@@ -10,11 +10,12 @@
 namespace latticast {
 namespace {
 
-// Square of the slope's growth rate below which it no longer matters along an arc of 1 rad.
+// Below this kappa^2 the slope grows too slowly along an arc of 1 rad for a boundary layer.
 constexpr double weak_pull = 1;
 
-// A boundary layer is over after this many of its lengths: what is left is exp(-40) of an
-// integrand.
+// A thin arc that is pulled hard bends only near its end, and the rest falls off exponentially.
+// Integrals stop this many decay lengths away from the end; what they leave out is below exp(-40)
+// of the whole.
 constexpr double layer_lengths = 20;
 
 // kappa^2 and what goes with it.

@@ -1,33 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Force and energy of one horseshoe arc by its strain (MODEL.md section 4; method and limits in
-// docs/horseshoe.md).
+// Force law of one horseshoe arc: the extensible elastica of a circular arc with pinned ends
+// ([Wang] Appendix C; docs/horseshoe.md#method).
 #pragma once
 
-#include <memory>
 #include <optional>
-#include <span>
-#include <stdexcept>
-#include <vector>
 
-#include "model/horseshoe/arc_law.h"
+#include "model/horseshoe/arc_integrals.h"
+#include "model/law/strand_law.h"
 
 namespace latticast {
-
-/// A circular arc of rectangular section, as cut.
-struct HorseshoeShape {
-  double radius_mm = 0;     ///< R_h of the centre line
-  double arc_rad = 0;       ///< full angle, 2 phi0
-  double width_mm = 0;      ///< w, in the plane of the arc
-  double thickness_mm = 0;  ///< h, square to that plane
-  double youngs_modulus_mpa = 0;
-
-  bool operator==(const HorseshoeShape&) const = default;
-};
-
-/// A total order of shapes to look them up by; numbers that are none have their places in it, too.
-struct HorseshoeShapeOrder {
-  bool operator()(const HorseshoeShape& a, const HorseshoeShape& b) const;
-};
 
 /// Distance of the ends at rest, 2 R_h sin(phi0).
 double rest_chord_mm(const HorseshoeShape& shape);
@@ -38,54 +19,22 @@ double full_extension(const HorseshoeShape& shape);
 /// -0.3 to full extension + 0.5, what a law is made for.
 StrainRange widest_range(const HorseshoeShape& shape);
 
-/// One arc at one strain.
-struct HorseshoeState {
-  double energy_nmm = 0;  ///< stored by the arc, 0 at rest
-  double force_n = 0;     ///< along the chord at each end, positive when pulled; d energy/d chord
-  double slope_n = 0;     ///< d force/d strain
-  double error = 0;       ///< of the force, relative: the largest found near this strain
-};
+/// The arc's table in units of E I/R_h^2. Precondition: 0 < half angle < pi, compliance > 0, the
+/// range holds 0 and is finite. Throws LawNotSolved.
+ForceTable arc_table(const Arc& arc, const StrainRange& range);
 
-/// The shape is outside of what the law is made for (arc 20 to 300 degrees, w/R_h 1e-3 to 100,
-/// everything positive and finite), or the range does not hold 0 or exceeds widest_range.
-struct HorseshoeOutOfScope : std::invalid_argument {
-  using std::invalid_argument::invalid_argument;
-};
+/// The law over widest_range, or over a part of it. Throws LinkOutOfScope for arcs that are not
+/// from 20 to 300 degrees, for w/R_h that is not from 1e-3 to 100, for numbers that are not
+/// positive and finite; LawNotSolved, which has not been seen within the scope.
+StrandLaw make_law(const HorseshoeShape& shape);
+StrandLaw make_law(const HorseshoeShape& shape, const StrainRange& range);
 
-/// The law of one shape: solved at construction, evaluated from polynomials (ArcLaw) with a
-/// relative error of the force of at most ArcLaw::tolerance. Immutable: any number of threads may
-/// read it.
-class HorseshoeLaw {
- public:
-  /// Over widest_range, or over a part of it. Throws HorseshoeOutOfScope; ArcNotSolved, which has
-  /// not been seen within the scope.
-  explicit HorseshoeLaw(const HorseshoeShape& shape);
-  HorseshoeLaw(const HorseshoeShape& shape, const StrainRange& range);
-
-  /// Empty outside of the range and for a strain that is not a number.
-  std::optional<HorseshoeState> at(double strain) const;
-
-  const HorseshoeShape& shape() const { return shape_; }
-  const StrainRange& range() const { return arc_law_.range(); }
-  const ArcLawAccuracy& accuracy() const { return arc_law_.accuracy(); }
-
-  /// beta(strain) behind it.
-  const ArcLaw& arc_law() const { return arc_law_; }
-
- private:
-  HorseshoeShape shape_;
-  ArcLaw arc_law_;
-  double force_unit_n_;     // E I/R_h^2
-  double energy_unit_nmm_;  // that times the rest chord
-};
-
-/// Laws built once, to be reused wherever their shapes occur.
-using HorseshoeLaws = std::vector<std::shared_ptr<const HorseshoeLaw>>;
-
-/// The laws of `shapes` over their widest ranges, in that order. Each distinct shape is solved once
-/// and its law shared, found in n log n; distinct ones are solved side by side on up to `threads`
-/// threads (0: as many as the machine has). Throws as the constructor does, after all threads have
-/// come back.
-HorseshoeLaws horseshoe_laws(std::span<const HorseshoeShape> shapes, int threads = 0);
+/// Tensile strain of the most stretched fibre when the arc's chord is strained by `strain`. It lies
+/// in mid-arc, where both the pull and its moment are largest:
+///     delta + w/(2 R_h) |1 - theta'(0)|,   theta'(0)^2 = 1 + 2 beta (cos theta_e - 1)
+///                                                          + beta delta (cos^2 theta_e - 1)
+/// from the invariant of docs/horseshoe.md#equation, theta_e the slope at the end. 0 at rest. Empty
+/// where no arc exists. Precondition: the shape is in its law's scope.
+std::optional<double> largest_fibre_strain(const HorseshoeShape& shape, double strain);
 
 }  // namespace latticast

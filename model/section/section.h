@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "design/design.h"
-#include "model/horseshoe/horseshoe_law.h"
+#include "model/law/strand_law.h"
 #include "model/section/deformation.h"
 
 namespace latticast {
@@ -16,9 +16,9 @@ namespace latticast {
 struct StrandPlace {
   double cosine = 1;
   double sine = 0;
-  double stretch_modulus_mpa = 0;           ///< E times the fraction of the layer that it fills
-  double joint_modulus_mpa = 0;             ///< fraction times k_t / V, [Wang] (4)
-  std::shared_ptr<const HorseshoeLaw> law;  ///< of a horseshoe strand; empty: straight
+  double stretch_modulus_mpa = 0;        ///< E times the fraction of the layer that it fills
+  double joint_modulus_mpa = 0;          ///< fraction times k_t / V, [Wang] (4)
+  std::shared_ptr<const StrandLaw> law;  ///< of a curved strand's link; empty: straight
 };
 
 /// All strands of one family. A = cosine e_theta + sine e_z is the strands' rest direction.
@@ -27,10 +27,10 @@ struct StrandFamily {
   double sine = 1;
   double stretch_modulus_mpa = 0;  ///< summed over the strands
   double joint_modulus_mpa = 0;    ///< summed over the strands
-  double arcs_per_mm = 0;  ///< horseshoe arcs of one strand per mm of tube, 1/(chord sine); else 0
-  bool averaged = false;   ///< averaged around the tube: turns against the section's frame, counts
-                           ///< no strips (mixture), or has so many equal strands that their sum
-                           ///< over places is that average
+  double links_per_mm = 0;  ///< links of a curved strand per mm of tube, 1/(chord sine); else 0
+  bool averaged = false;    ///< averaged around the tube: turns against the section's frame, counts
+                            ///< no strips (mixture), or has so many equal strands that their sum
+                            ///< over places is that average
   std::vector<StrandPlace> strands;
 };
 

@@ -200,7 +200,7 @@ Number lattice_energy(const Section& section, const Quadrature& quadrature,
     const AtRadius<bent, Number> at(q, radius);
     Number density = square(at.hoop_strain) * (0.5 * section.ring_modulus_mpa);
     for (const StrandFamily& family : section.families) {
-      if (family.arcs_per_mm > 0) continue;
+      if (family.links_per_mm > 0) continue;
       density += family_energy_density(family, quadrature, q, at);
     }
     sum += density * weight;
@@ -208,7 +208,7 @@ Number lattice_energy(const Section& section, const Quadrature& quadrature,
   return sum;
 }
 
-/// Visits the places of a horseshoe family: law, direction, and how many strands are there.
+/// Visits the places of a family of curved strands: law, direction, and how many strands are there.
 template <bool bent, class Visit>
 void for_each_place(const StrandFamily& family, const Quadrature& quadrature, const Visit& visit) {
   if constexpr (bent) {
@@ -239,16 +239,16 @@ double mid_radius_mm(const Section& section) {
   return 0.5 * (section.liner_outer_radius_mm + section.outer_radius_mm);
 }
 
-/// Empty when a horseshoe leaves its law's range. The law's force is d energy/d chord.
+/// Empty when a link leaves its law's range. The law's force is d energy/d chord.
 template <bool bent, class Number>
-std::optional<Number> horseshoe_energy(const Section& section, const Quadrature& quadrature,
-                                       const Kinematics<Number>& q) {
+std::optional<Number> link_energy(const Section& section, const Quadrature& quadrature,
+                                  const Kinematics<Number>& q) {
   Number sum(0);
   bool possible = true;
   for (const StrandFamily& family : section.families) {
-    if (family.arcs_per_mm == 0) continue;
+    if (family.links_per_mm == 0) continue;
     const AtRadius<bent, Number> at(q, mid_radius_mm(section));
-    for_each_place<bent>(family, quadrature, [&](const HorseshoeLaw& law, const Direction& place) {
+    for_each_place<bent>(family, quadrature, [&](const StrandLaw& law, const Direction& place) {
       const Number e = at.elongation(q, place.cosine, place.sine);
       const Number strain = stretch_minus_1(square_stretch_minus_1(family, q, at, e * (e + 2.0)));
       const auto arc = law.at(strain.value);
@@ -256,9 +256,9 @@ std::optional<Number> horseshoe_energy(const Section& section, const Quadrature&
         possible = false;
         return;
       }
-      const double chord = rest_chord_mm(law.shape());
+      const double chord = law.rest_chord_mm();
       sum += chain(strain, arc->energy_nmm, arc->force_n * chord, arc->slope_n * chord) *
-             (family.arcs_per_mm * place.weight);
+             (family.links_per_mm * place.weight);
     });
   }
   if (!possible) return std::nullopt;
@@ -301,10 +301,10 @@ template <bool bent, std::size_t N>
     variables[active[i]] = Dual<N>::variable(i, values[active[i]]);
   }
   const auto q = kinematics(section, variables);
-  const auto horseshoes = horseshoe_energy<bent>(section, quadrature, q);
-  if (!horseshoes) return std::nullopt;
+  const auto links = link_energy<bent>(section, quadrature, q);
+  if (!links) return std::nullopt;
   const Dual<N> sum = liner_energy<bent>(section, quadrature, q) +
-                      lattice_energy<bent>(section, quadrature, q) + *horseshoes;
+                      lattice_energy<bent>(section, quadrature, q) + *links;
   SectionEnergy energy(sum.value);
   for (std::size_t i = 0; i < N; ++i) {
     energy.gradient[active[i]] = sum.gradient[i];
@@ -351,16 +351,16 @@ std::array<double, coordinate_count> law_error(const Section& section, const Qua
   for (std::size_t i = 0; i < 5; ++i) variables[i] = SectionEnergy::variable(i, values[i]);
   const auto q = kinematics(section, variables);
   for (const StrandFamily& family : section.families) {
-    if (family.arcs_per_mm == 0) continue;
+    if (family.links_per_mm == 0) continue;
     const AtRadius<true, SectionEnergy> ring(q, mid_radius_mm(section));
-    for_each_place<true>(family, quadrature, [&](const HorseshoeLaw& law, const Direction& place) {
+    for_each_place<true>(family, quadrature, [&](const StrandLaw& law, const Direction& place) {
       const SectionEnergy e = ring.elongation(q, place.cosine, place.sine);
       const SectionEnergy strain =
           stretch_minus_1(square_stretch_minus_1(family, q, ring, e * (e + 2.0)));
-      const HorseshoeState arc = law.at(strain.value).value_or(HorseshoeState{});
-      const double work = std::abs(arc.force_n) * arc.error * rest_chord_mm(law.shape());
+      const LinkState arc = law.at(strain.value).value_or(LinkState{});
+      const double work = std::abs(arc.force_n) * arc.error * law.rest_chord_mm();
       for (int i = 0; i < coordinate_count; ++i) {
-        error[i] += family.arcs_per_mm * place.weight * work * std::abs(strain.gradient[i]);
+        error[i] += family.links_per_mm * place.weight * work * std::abs(strain.gradient[i]);
       }
     });
   }
@@ -399,17 +399,16 @@ double stretch_limit_used(const Section& section, const Deformation& at) {
   return largest / limit;
 }
 
-std::optional<HorseshoeStrain> most_strained_horseshoe(const Section& section,
-                                                       const Deformation& at) {
+std::optional<LinkStrain> most_strained_link(const Section& section, const Deformation& at) {
   const bool any = std::any_of(section.families.begin(), section.families.end(),
-                               [](const StrandFamily& family) { return family.arcs_per_mm > 0; });
+                               [](const StrandFamily& family) { return family.links_per_mm > 0; });
   if (!any || !possible(section, at)) return std::nullopt;
   const double radius = mid_radius_mm(section);
   const double current = current_radius_mm(section.inner_radius_mm, radius, at);
-  std::optional<HorseshoeStrain> worst;
+  std::optional<LinkStrain> worst;
   double least_room = std::numeric_limits<double>::infinity();
   for (const StrandFamily& family : section.families) {
-    if (family.arcs_per_mm == 0) continue;
+    if (family.links_per_mm == 0) continue;
     for (const StrandPlace& strand : family.strands) {
       const double axial =
           1 + at.elongation + current * (at.bend_1 * strand.cosine + at.bend_2 * strand.sine);
@@ -420,7 +419,7 @@ std::optional<HorseshoeStrain> most_strained_horseshoe(const Section& section,
                                    (range.highest - strain) / range.highest);
       if (room < least_room) {
         least_room = room;
-        worst = HorseshoeStrain{strain, range};
+        worst = LinkStrain{path_name(strand.law->shape()), strain, range};
       }
     }
   }

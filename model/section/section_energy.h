@@ -7,8 +7,9 @@
 #include <array>
 #include <optional>
 #include <span>
+#include <string_view>
 
-#include "model/horseshoe/horseshoe_law.h"
+#include "model/law/strand_law.h"
 #include "model/numerics/dual.h"
 #include "model/section/quadrature.h"
 #include "model/section/section.h"
@@ -21,12 +22,12 @@ using SectionEnergy = Dual<coordinate_count>;
 /// Stored energy per reference length, N, at a deformation:
 ///     integral W_liner(F) R dR dphi
 ///   + integral [ ring/2 (r/R - 1)^2 + sum over strands ( E/2 (s - 1)^2 + k/2 theta_t^2 ) ] 2 pi R
-///   dR + sum over horseshoe strands of arcs_per_mm U(s - 1 at R_c)
+///   dR + sum over curved strands of links_per_mm U(s - 1 at R_c)
 /// with r(R)^2 = a^2 + (R^2 - R_i^2)/lambda, Lambda = lambda + r kappa . n, s = |F A|, theta_t the
 /// signed angle from A to F A. Written without differences of nearly equal numbers: relative
 /// accuracy holds down to the rest state, where the energy and its gradient are exactly zero.
 /// Empty where the state cannot exist (a stretch Lambda <= 0, a <= 0, a Gent rubber stretched to
-/// its limit) or a horseshoe leaves its law's range.
+/// its limit) or a link leaves its law's range.
 std::optional<SectionEnergy> stored_energy(const Section& section, const Quadrature& quadrature,
                                            const Deformation& at);
 
@@ -35,8 +36,8 @@ std::optional<SectionEnergy> stored_energy(const Section& section, const Quadrat
 std::optional<SectionEnergy> stored_energy(const Section& section, const Quadrature& quadrature,
                                            const Deformation& at, std::span<const int> active);
 
-/// How far the gradient may be off because the horseshoe laws are interpolated: the sum of their
-/// errors over all strands, as if none cancelled another. Zero without horseshoes.
+/// How far the gradient may be off because the links' laws are interpolated: the sum of their
+/// errors over all strands, as if none cancelled another. Zero without curved strands.
 /// Precondition: stored_energy is not empty at this deformation.
 std::array<double, coordinate_count> law_error(const Section& section, const Quadrature& quadrature,
                                                const Deformation& at);
@@ -49,14 +50,14 @@ SectionEnergy cavity_growth(const Section& section, const Deformation& at);
 /// every state that can exist. 0 for laws without such a limit.
 double stretch_limit_used(const Section& section, const Deformation& at);
 
-/// Strains of the horseshoe strand that is nearest to an end of its law's range, and that range.
-struct HorseshoeStrain {
+/// Strain of the curved strand that is nearest to an end of its law's range, and that range.
+struct LinkStrain {
+  std::string_view path;  ///< "horseshoe"
   double strain = 0;
   StrainRange range;
 };
 
-/// Empty without horseshoe strands, or where the state cannot exist.
-std::optional<HorseshoeStrain> most_strained_horseshoe(const Section& section,
-                                                       const Deformation& at);
+/// Empty without curved strands, or where the state cannot exist.
+std::optional<LinkStrain> most_strained_link(const Section& section, const Deformation& at);
 
 }  // namespace latticast

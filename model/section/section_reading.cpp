@@ -8,8 +8,8 @@
 #include <variant>
 
 #include "geometry/pattern/rings.h"
-#include "model/horseshoe/horseshoe_strands.h"
 #include "model/section/section_symmetry.h"
+#include "model/strand/links.h"
 
 namespace latticast {
 namespace {
@@ -91,7 +91,7 @@ StrandFamily strand_family(const Layer& layer, std::size_t index) {
     StrandPlace strand;
     if (const auto link = link_shape(segment, grid, width)) {
       strand.law = layer.laws.at(*link);
-      family.arcs_per_mm = 1 / (rest_chord_mm(strand.law->shape()) * family.sine);
+      family.links_per_mm = 1 / (strand.law->rest_chord_mm() * family.sine);
     } else {
       // The mixture counts no strips: a family as a whole carries c2, whatever its strands.
       const double fraction = layered ? width / around : mixture_lattice / grid.count();
@@ -111,7 +111,7 @@ StrandFamily strand_family(const Layer& layer, std::size_t index) {
   return family;
 }
 
-void add_lattice(const Segment& segment, const ModelChoice& model, const HorseshoeLaws& known,
+void add_lattice(const Segment& segment, const ModelChoice& model, const StrandLaws& known,
                  Section& section) {
   const bool mixture = model.wall == WallKind::mixture;
   if (mixture) {
@@ -141,8 +141,7 @@ const Law& rubber_law(const Material& liner) {
 
 }  // namespace
 
-Section prepare_section(const Segment& segment, const ModelChoice& model,
-                        const HorseshoeLaws& known) {
+Section prepare_section(const Segment& segment, const ModelChoice& model, const StrandLaws& known) {
   Section section;
   section.inner_radius_mm = segment.inner_radius_mm();
   section.liner_outer_radius_mm = segment.liner_outer_radius_mm();
@@ -157,9 +156,9 @@ Section prepare_section(const Segment& segment, const ModelChoice& model,
   return section;
 }
 
-HorseshoeLaws laws_of(const Section& section) {
-  HorseshoeLaws laws;
-  std::unordered_set<const HorseshoeLaw*> met;
+StrandLaws laws_of(const Section& section) {
+  StrandLaws laws;
+  std::unordered_set<const StrandLaw*> met;
   for (const StrandFamily& family : section.families) {
     for (const StrandPlace& strand : family.strands) {
       if (strand.law && met.insert(strand.law.get()).second) laws.push_back(strand.law);

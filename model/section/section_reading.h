@@ -4,7 +4,7 @@
 
 #include "design/design.h"
 #include "design/unsupported_design.h"
-#include "model/horseshoe/horseshoe_law.h"
+#include "model/law/strand_law.h"
 #include "model/section/section.h"
 
 namespace latticast {
@@ -18,15 +18,15 @@ namespace latticast {
 /// joint. `known` laws are reused where they fit; missing ones are built, side by side.
 /// Families that are uneven around the tube (unequal strands, or a single one) fix the section's
 /// frame. Throws UnsupportedDesign for two of them that wind at different rates (no frame in which
-/// the section stays the same), for horseshoes or uneven families in a mixture wall (which counts
-/// no strips), for a horseshoe outside of its law's scope, for a linear liner, for a lattice
+/// the section stays the same), for curved strands or uneven families in a mixture wall (which
+/// counts no strips), for a link outside of its law's scope, for a linear liner, for a lattice
 /// material that is not linear, for straight strands of one family that overlap at mid radius, and
 /// for a clear-span joint between rings that touch. Precondition: the segment is valid in the
 /// sense of design/read_design.h.
 Section prepare_section(const Segment& segment, const ModelChoice& model,
-                        const HorseshoeLaws& known = {});
+                        const StrandLaws& known = {});
 
 /// The laws that a section uses.
-HorseshoeLaws laws_of(const Section& section);
+StrandLaws laws_of(const Section& section);
 
 }  // namespace latticast

@@ -101,7 +101,7 @@ bool are_supplementary(const StrandFamily& a, const StrandFamily& b) {
     return x.stretch_modulus_mpa == y.stretch_modulus_mpa &&
            x.joint_modulus_mpa == y.joint_modulus_mpa && x.law == y.law;
   };
-  return a.cosine == -b.cosine && a.sine == b.sine && a.arcs_per_mm == b.arcs_per_mm &&
+  return a.cosine == -b.cosine && a.sine == b.sine && a.links_per_mm == b.links_per_mm &&
          std::equal(a.strands.begin(), a.strands.end(), b.strands.begin(), b.strands.end(),
                     same_strand);
 }

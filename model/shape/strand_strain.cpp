@@ -7,9 +7,8 @@
 
 #include "geometry/pattern/rings.h"
 #include "geometry/pattern/strand_path.h"
-#include "model/horseshoe/horseshoe_fibre.h"
-#include "model/horseshoe/horseshoe_strands.h"
 #include "model/shape/inflated_wall.h"
+#include "model/strand/links.h"
 
 namespace latticast {
 namespace {
@@ -47,14 +46,14 @@ double cotangent(const Family& family) {
   return family.cosine / family.sine;
 }
 
-int shape_index(std::vector<HorseshoeShape>& shapes, const HorseshoeShape& shape) {
+int shape_index(std::vector<LinkShape>& shapes, const LinkShape& shape) {
   const auto at = std::find(shapes.begin(), shapes.end(), shape);
   if (at != shapes.end()) return static_cast<int>(at - shapes.begin());
   shapes.push_back(shape);
   return static_cast<int>(shapes.size()) - 1;
 }
 
-Family family_of(const Segment& segment, int index, std::vector<HorseshoeShape>& shapes) {
+Family family_of(const Segment& segment, int index, std::vector<LinkShape>& shapes) {
   const Grid& grid = segment.lattice->grids[index];
   const double angle = grid.angle_rad();
   Family family;
@@ -118,7 +117,7 @@ Nearness nearest_ring(const std::vector<double>& centres, double width_mm, const
   return nearest;
 }
 
-Strands strands_of(const Segment& segment, std::vector<HorseshoeShape>& shapes) {
+Strands strands_of(const Segment& segment, std::vector<LinkShape>& shapes) {
   const Lattice& lattice = *segment.lattice;
   Strands strands;
   strands.mid_radius_mm = segment.lattice_mid_radius_mm();
@@ -148,7 +147,8 @@ void add_members(const Strands& strands, const WallPoint& point, double toleranc
   if (members.size() == before) members.push_back(nearest.member);
 }
 
-// Corners of flat columns stand a little out of the faces that they stand for.
+// A mesh's flat facets approximate its round faces, so that a vertex of a face is off the face's
+// radius by up to the mesh's tolerance. Such a vertex is taken to lie on the face.
 WallPoint wall_point(const Point& p, double floor_mm, double ceiling_mm, double start_z_mm,
                      double tolerance_mm) {
   double radius = std::hypot(p[0], p[1]);
@@ -157,7 +157,8 @@ WallPoint wall_point(const Point& p, double floor_mm, double ceiling_mm, double 
   return {std::clamp(radius, floor_mm, ceiling_mm), std::atan2(p[1], p[0]), p[2] - start_z_mm};
 }
 
-// Bending turns along the segment; the wall's stretch is asked for in the base's directions.
+// The direction of bending turns along the segment, while wall_stretch counts angles from that at
+// the base.
 WallStretch stretch_at(const Segment& segment, const State& state, double radius_mm,
                        double theta_rad, double along_mm) {
   return wall_stretch(segment, state, radius_mm,
@@ -185,7 +186,7 @@ struct FibreTable {
     high = std::max(high, strain);
   }
 
-  void fill(const HorseshoeShape& shape) {
+  void fill(const LinkShape& shape) {
     for (int i = 0; i <= fibre_intervals; ++i) {
       chord.push_back(std::lerp(low, high, static_cast<double>(i) / fibre_intervals));
     }

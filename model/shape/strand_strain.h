@@ -8,7 +8,7 @@
 #include "design/design.h"
 #include "geometry/mesh/triangle_mesh.h"
 #include "model/equilibrium/state.h"
-#include "model/horseshoe/horseshoe_law.h"
+#include "model/law/strand_law.h"
 
 namespace latticast {
 
@@ -30,8 +30,8 @@ struct StrandMember {
 /// not point to anything outside of itself.
 struct StrandField {
   Segment segment;
-  std::vector<HorseshoeShape> shapes;  ///< distinct arcs of the horseshoe families
-  std::vector<WallPoint> points;       ///< one per vertex
+  std::vector<LinkShape> shapes;  ///< distinct links of the curved families
+  std::vector<WallPoint> points;  ///< one per vertex
   /// Those of vertex i are members[first[i]] up to, not with, members[first[i + 1]]; one at least.
   std::vector<std::uint32_t> first;
   std::vector<StrandMember> members;
@@ -48,9 +48,9 @@ StrandField strand_field(const Segment& segment, const TriangleMesh& rest, doubl
 /// Engineering strain of the lattice in a state, one per vertex, negative where compressed:
 /// - rings: r/R - 1 at the vertex;
 /// - straight strands: |F A| - 1 along their angle at the vertex (docs/model.md#energy);
-/// - horseshoes: that of the arc's most stretched fibre (horseshoe_fibre.h) for its chord's strain
-///   at R_c, all over the strand's section. Never negative; 0 where no arc exists. Between 33 chord
-///   strains from the smallest to the largest it is interpolated linearly;
+/// - curved strands: that of the link's most stretched fibre (links.h) for its chord's strain
+///   at R_c, all over the strand's section. Never negative; 0 where no state exists. Between 33
+///   chord strains from the smallest to the largest it is interpolated linearly;
 /// - where strands meet, the one of largest magnitude.
 /// Where nothing bends, the largest is what `latticast check` compares with a limit. Under bending
 /// a vertex lies beside its strand's line, by half of the width at most, and its strain differs by

@@ -10,9 +10,22 @@ function widths_text(widths) {
   return same ? given(values[0]) : values.map(given).join(", ");
 }
 
-/** @param {Object|null} horseshoe @returns {string} */
-function horseshoe_text(horseshoe) {
-  if (!horseshoe) return "straight";
+/** @param {Object} sizes of a strand path, their units in their names @returns {string} */
+function sizes_text(sizes) {
+  const words = Object.entries(sizes).map(([name, value]) =>
+    name.endsWith("_mm") ? `${name.slice(0, -3)} ${with_unit(value, "mm", given)}` : `${name} ${given(value)}`,
+  );
+  return words.join(", ");
+}
+
+/** @param {Object} grid @returns {string} the strands' path: the grid's only table besides its lists */
+function path_text(grid) {
+  const horseshoe = grid.horseshoe;
+  if (!horseshoe) {
+    const is_table = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
+    const found = Object.entries(grid).find(([, value]) => is_table(value));
+    return found ? `${found[0]}, ${sizes_text(found[1])}` : "straight";
+  }
   return (
     `horseshoe, radius ${with_unit(horseshoe.radius_mm, "mm", given)}, arc ` +
     `${with_unit(horseshoe.arc_deg, "°", given)}${horseshoe.alternate ? ", alternating" : ""}`
@@ -32,7 +45,7 @@ function grid_lines(most) {
       [`${name}, angle`, "°", of((grid) => given(grid.angle_deg))],
       [`${name}, strands`, "", of((grid) => count(grid.count))],
       [`${name}, strand width`, "mm", of((grid) => widths_text(grid.widths_mm))],
-      [`${name}, strand shape`, "", of((grid) => horseshoe_text(grid.horseshoe))],
+      [`${name}, strand shape`, "", of((grid) => path_text(grid))],
     );
   }
   return lines;

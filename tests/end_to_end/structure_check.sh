@@ -26,11 +26,14 @@ geometry/mesh
 geometry/pattern         numerics design geometry/mesh
 geometry/solid           numerics design geometry/mesh geometry/pattern
 model/numerics
-model/horseshoe          design geometry/pattern model/numerics
-model/section            design geometry/pattern model/numerics model/horseshoe
-model/equilibrium        numerics design model/numerics model/horseshoe model/section
-model/effective_rods     numerics design model/numerics model/horseshoe model/equilibrium
-model/shape              design geometry model/numerics model/horseshoe model/section model/equilibrium
+model/law                design model/numerics
+model/horseshoe          design model/numerics model/law
+model/sinusoid           design model/numerics model/law
+model/strand             design geometry/pattern model/law model/horseshoe model/sinusoid
+model/section            design geometry/pattern model/numerics model/law model/strand
+model/equilibrium        numerics design model/numerics model/law model/strand model/section
+model/effective_rods     numerics design model/numerics model/law model/strand model/equilibrium
+model/shape              design geometry model/numerics model/law model/strand model/section model/equilibrium
 model                    numerics design geometry/mesh geometry/pattern model
 molds                    design geometry
 export                   design geometry/mesh

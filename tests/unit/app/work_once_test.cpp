@@ -96,7 +96,7 @@ std::string text_of(const PlaneGrid& grid) {
 #define CLOSE "_ZN9latticast14closed_patternENS_7PatternERKNS_9PlaneGridEd"
 #define PREPARE                                                                                    \
   "_ZN9latticast15prepare_sectionERKNS_7SegmentERKNS_11ModelChoiceERKSt6vectorISt10shared_ptrIKNS" \
-  "_12HorseshoeLawEESaISA_EE"
+  "_9StrandLawEESaISA_EE"
 #define SOLVE                                                                                     \
   "_ZN9latticast7predictERKNS_15PreparedSegmentESt4spanIKdLm18446744073709551615EENS_4HeldERKNS_" \
   "13SolverOptionsE"
@@ -131,11 +131,9 @@ Pattern counted_close(Pattern pattern, const PlaneGrid& grid, double closing_mm)
   return original_close(std::move(pattern), grid, closing_mm);
 }
 
-Section original_prepare(const Segment&, const ModelChoice&, const HorseshoeLaws&)
-    ORIGINAL(PREPARE);
-Section counted_prepare(const Segment&, const ModelChoice&, const HorseshoeLaws&) COUNTED(PREPARE);
-Section counted_prepare(const Segment& segment, const ModelChoice& model,
-                        const HorseshoeLaws& known) {
+Section original_prepare(const Segment&, const ModelChoice&, const StrandLaws&) ORIGINAL(PREPARE);
+Section counted_prepare(const Segment&, const ModelChoice&, const StrandLaws&) COUNTED(PREPARE);
+Section counted_prepare(const Segment& segment, const ModelChoice& model, const StrandLaws& known) {
   ++calls["prepare"][text_of(segment)];
   return original_prepare(segment, model, known);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/horseshoe/horseshoe_fibre.h"
-
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
+
+#include "model/horseshoe/horseshoe_law.h"
 
 namespace latticast {
 namespace {
@@ -15,7 +15,7 @@ TEST(HorseshoeFibre, IsThatOfACurvedBeamAtSmallStrains) {
   for (const double arc_deg : {40.0, 120.0, 180.0, 250.0}) {
     const HorseshoeShape shape{3, arc_deg * degree, 0.6, 2, 19.46};
     const double strain = 1e-6;
-    const double force = HorseshoeLaw(shape).at(strain)->force_n;
+    const double force = make_law(shape).at(strain)->force_n;
     const double area = 0.6 * 2;
     const double moment = force * 3 * (1 - std::cos(shape.arc_rad / 2));
     const double expected = force / (19.46 * area) + moment * 6 / (19.46 * 2 * 0.6 * 0.6);
@@ -27,7 +27,7 @@ TEST(HorseshoeFibre, IsThatOfACurvedBeamAtSmallStrains) {
 // the bent arc with midpoint steps from its middle.
 TEST(HorseshoeFibre, IsThatOfTheWalkedArc) {
   const HorseshoeShape shape{2.65625, 180 * degree, 2, 2, 19.46};
-  const HorseshoeLaw law(shape);
+  const StrandLaw law = make_law(shape);
   const double area = 4;
   const double stiffness = 19.46 * 2 * 8 / 12;
   for (const double strain : {-0.2, -0.05, 0.1, 0.3, 0.55, 0.8}) {

@@ -160,7 +160,7 @@ Complex strip_energy(const Section& section, const Coordinates& q, bool bent) {
     const Complex hoop = r / node.at - Real{1};
     Complex density = Real{section.ring_modulus_mpa} / 2 * hoop * hoop;
     for (const StrandFamily& family : section.families) {
-      if (family.arcs_per_mm > 0) continue;
+      if (family.links_per_mm > 0) continue;
       for_each_place(family, bent, [&](Real c, Real s, Real share, const StrandPlace& strand) {
         const Stretched strip = stretched(r, axial(q, r, c, s), q, node.at, family);
         const Complex strain = strip.stretch - Real{1};
@@ -194,13 +194,13 @@ Complex horseshoe_work(const Section& section, const Coordinates& q, bool bent) 
   const Real middle = (Real{section.liner_outer_radius_mm} + section.outer_radius_mm) / 2;
   const Complex r = radius(section, q, middle);
   for (const StrandFamily& family : section.families) {
-    if (family.arcs_per_mm == 0) continue;
+    if (family.links_per_mm == 0) continue;
     for_each_place(family, bent, [&](Real c, Real s, Real share, const StrandPlace& strand) {
       const Complex strain = stretched(r, axial(q, r, c, s), q, middle, family).stretch - Real{1};
-      const HorseshoeShape& shape = strand.law->shape();
+      const auto& shape = std::get<HorseshoeShape>(strand.law->shape());
       const Real chord = 2 * Real{shape.radius_mm} * std::sin(Real{shape.arc_rad} / 2);
       if (strain.imag() == 0) return;
-      sum += share * Real{family.arcs_per_mm} * chord * arc_force(shape, strain.real()) *
+      sum += share * Real{family.links_per_mm} * chord * arc_force(shape, strain.real()) *
              Complex(0, strain.imag());
     });
   }

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "geometry/pattern/horseshoe_path.h"
-#include "model/horseshoe/horseshoe_fibre.h"
-#include "model/horseshoe/horseshoe_strands.h"
+#include "model/horseshoe/horseshoe_law.h"
+#include "model/strand/links.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast {
@@ -155,7 +155,8 @@ TEST(StrandStrain, OfHorseshoesIsTheirMostStretchedFibres) {
         strand_strains(strand_field(segment, mesh, start_z, 0.01), state);
     for (int i = 0; i < 12; ++i) {
       const double width = i / 2 % 2 == 0 ? 1 : 2;
-      const HorseshoeShape shape = *link_shape(segment, segment.lattice->grids[0], width);
+      const HorseshoeShape shape =
+          std::get<HorseshoeShape>(*link_shape(segment, segment.lattice->grids[0], width));
       EXPECT_NEAR(strains[i], largest_fibre_strain(shape, stretch - 1).value(), 1e-12) << i;
     }
   }
@@ -172,7 +173,8 @@ TEST(StrandStrain, OfBentHorseshoesIsInterpolatedWithinATenThousandth) {
   for (int j = 0; j < 24; ++j) mesh.vertices.push_back(at(17, j * pi / 12, 0));
   const std::vector<double> strains =
       strand_strains(strand_field(segment, mesh, start_z, 0.01), state);
-  const HorseshoeShape shape = *link_shape(segment, segment.lattice->grids[0], 0.6);
+  const HorseshoeShape shape =
+      std::get<HorseshoeShape>(*link_shape(segment, segment.lattice->grids[0], 0.6));
   for (int j = 0; j < 24; ++j) {
     const double r = radius_then(17, state);
     const double chord = 0.1 + r * (0.012 * std::cos(j * pi / 12) + 0.003 * std::sin(j * pi / 12));
