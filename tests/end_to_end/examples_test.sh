@@ -23,8 +23,8 @@ for design in "$examples"/*/*.toml; do
   holds test -z "$(grep -v -e ': closed, 1 piece, genus' -e 'side by side' -e ': flat pattern, ' \
     -e 'report.html: ' -e 'report.json: ' -e 'response.csv: ' <<<"$out")"
 done
-holds test "$(find built -name '*-lattice.stl' | grep -vc preview)" -eq 10
-holds test "$(find built -name '*-preview.png' | wc -l)" -eq 8
+holds test "$(find built -name '*-lattice.stl' | grep -vc preview)" -eq 12
+holds test "$(find built -name '*-preview.png' | wc -l)" -eq 10
 
 # What the README prints is a design, and so it is with its second grid in place of the first.
 readme=$source_tree/README.md

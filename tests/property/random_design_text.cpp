@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/property/random_design_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -76,7 +77,7 @@ class Writer {
     for (int i = 0; i < families; ++i) {
       angle = i == 0 || one_in(2) ? any_angle() : angle_near(angle);
       if (one_in(3)) {
-        add_horseshoes(draft);
+        one_in(3) ? add_sinusoids(draft) : add_horseshoes(draft);
       } else {
         add_family(draft, angle);
       }
@@ -186,6 +187,33 @@ class Writer {
     const double along = arcs * radius * arc * std::numbers::pi / 180;
     draft.outlines_around += 4 * count * along / around;
     draft.outline_count += 4 * count * arcs;
+  }
+
+  // Mostly waves that neither fold over themselves nor meet their neighbours.
+  void add_sinusoids(SegmentDraft& draft) {
+    const double middle =
+        draft.inner_radius + draft.liner_thickness + 0.5 * draft.lattice_thickness;
+    const double around = 2 * std::numbers::pi * middle;
+    const double angle = one_in(3) ? 90 : random_.between(20, 160);
+    const double sine = std::sin(angle * std::numbers::pi / 180);
+    const int count = random_.whole(1, 8);
+    const double share = around * sine / count;
+    const int links = random_.whole(1, 40);
+    const double chord = draft.length / sine / links;
+    const double slope = random_.log_between(0.05, one_in(8) ? 8 : 2);
+    const double amplitude =
+        std::min(slope * chord / std::numbers::pi, one_in(8) ? share : 0.4 * share);
+    const double radius = chord * chord / (std::numbers::pi * std::numbers::pi * amplitude);
+    const double width =
+        random_.log_between(0.05, 0.7) * std::min({2 * radius, share - amplitude, chord});
+    draft.lattice_text += "[[segment.lattice.grid]]\nangle = " + number(angle) +
+                          "\ncount = " + std::to_string(count) + "\nwidth = " + number(width) +
+                          "\nsinusoid = { amplitude = " + number(amplitude) +
+                          ", waves = " + number(0.5 * links) + " }\n";
+    draft.thinnest = std::min(draft.thinnest, 0.5 * width);
+    const double along = links * std::hypot(chord, 2 * amplitude);
+    draft.outlines_around += 4 * count * along / around;
+    draft.outline_count += 4 * count * links;
   }
 
   // As fine as anyone may ask for, but not so fine that the tests take hours.

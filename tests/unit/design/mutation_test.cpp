@@ -68,6 +68,10 @@ void expect_rules_of(const Grid& grid, const Segment& segment) {
     const double next = grid.widths_mm[(j + 1) % grid.count()];
     EXPECT_LT((grid.widths_mm[j] + next) / 2, share);
   }
+  if (const auto* sinusoid = std::get_if<Sinusoid>(&grid.path)) {
+    EXPECT_TRUE(is_length(sinusoid->amplitude_mm));
+    EXPECT_TRUE(sinusoid->waves >= 0.5 && sinusoid->waves <= 5000);
+  }
   if (const auto* horseshoe = std::get_if<Horseshoe>(&grid.path)) {
     EXPECT_TRUE(is_length(horseshoe->radius_mm));
     EXPECT_TRUE(horseshoe->arc_deg >= 20 && horseshoe->arc_deg <= 300);

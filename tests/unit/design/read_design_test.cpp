@@ -245,5 +245,16 @@ TEST(ReadDesignFile, EndlessFileIsRefusedAsTooLarge) {
   EXPECT_NE(result.issues[0].rule.find("larger than 4000000 bytes"), std::string::npos);
 }
 
+TEST(ReadDesign, SinusoidsHaveAmplitudeAndWaves) {
+  std::string text(whole_grammar);
+  const std::string horseshoe = "horseshoe = { radius = 3 }";
+  text.replace(text.find(horseshoe), horseshoe.size(),
+               "sinusoid = { amplitude = 1.25, waves = 6.5 }");
+  const Design design = read_valid(text);
+  const auto& path = std::get<Sinusoid>(design.segments[1].lattice->grids[1].path);
+  EXPECT_EQ(path.amplitude_mm, 1.25);
+  EXPECT_EQ(path.waves, 6.5);
+}
+
 }  // namespace
 }  // namespace latticast
