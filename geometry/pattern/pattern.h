@@ -49,10 +49,10 @@ struct CannotDraw : std::runtime_error {
 };
 
 /// Draws the rings and strands of a lattice. Strands keep their width square to themselves at R_c
-/// and are cut level at both ends (MODEL.md section 3); strand 0 of every family starts at u = 0.
-/// Arcs of horseshoe columns become chords within `flatness_mm` of the circle. Precondition: a
-/// validated segment with a lattice. Throws CannotDraw for horseshoe columns that do not close on
-/// the segment's length, fold over themselves or overlap their neighbours.
+/// and are cut level at both ends (docs/geometry.md#the-unrolled-plane); strand 0 of every family
+/// starts at u = 0. Arcs of horseshoe columns become chords within `flatness_mm` of the circle.
+/// Precondition: a validated segment with a lattice. Throws CannotDraw for horseshoe columns that
+/// do not close on the segment's length, fold over themselves or overlap their neighbours.
 Pattern draw_lattice(const Segment& segment, double flatness_mm);
 
 /// Draws a closed sleeve: the whole plane, as one strand, at the given radius.

@@ -8,7 +8,7 @@
 
 namespace latticast {
 
-/// Centre-to-centre distance of the rings in mm (MODEL.md section 3): (L - w)/(n - 1) for rings
+/// Centre-to-centre distance of the rings in mm: (L - w)/(n - 1) for rings
 /// given by count, the stated pitch otherwise.
 double ring_pitch_mm(const Rings& rings, double segment_length_mm);
 

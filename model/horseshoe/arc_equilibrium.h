@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Equilibria of a circular arc pulled or pushed at its pinned ends (MODEL.md section 4, paper
-// Appendix C), free of units.
+// Extensible elastica of a circular arc pulled or pushed at its pinned ends: Newton's method along
+// the branch from rest ([Wang] Appendix C; docs/horseshoe.md#equation). Free of units.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The integrals along a pulled circular arc, from its first integral (MODEL.md section 4).
+// Gauss-Legendre integrals along a pulled circular arc, from the first integral of its equation
+// (docs/horseshoe.md#method).
 #pragma once
 
 #include <vector>

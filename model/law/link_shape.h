@@ -34,7 +34,7 @@ struct SinusoidShape {
 
 using LinkShape = std::variant<HorseshoeShape, SinusoidShape>;
 
-/// A total order of shapes to look them up by; numbers that are none have their places in it, too.
+/// A total order of shapes to look them up by, NaN included: std::strong_order of their numbers.
 struct LinkShapeOrder {
   bool operator()(const LinkShape& a, const LinkShape& b) const;
 };
