@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a lattice mold fills: where the liquid goes in, and where air would be trapped.
+// Filling of a lattice mold: where the liquid goes in, and where air would be trapped.
 #pragma once
 
 #include <vector>

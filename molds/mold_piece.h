@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a mold consists of.
+// A mold as a list of pieces with notes, and how they fit together.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a lattice mold's shell is parted, and by how much its pieces catch on the cast strands when
-// they are taken off.
+// Parting of a lattice mold's shell: where its seams run, and the undercuts by which its pieces
+// catch on the cast strands.
 #pragma once
 
 #include <optional>

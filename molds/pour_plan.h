@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much to mix, and how to cast: what a workshop needs beside the printed pieces.
+// Pour plan of a casting: amounts to mix and steps to take, as a page for the workshop.
 #pragma once
 
 #include <optional>

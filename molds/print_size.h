@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a piece is printed, and whether it fits the printer.
+// Orientation of a printed piece, and whether it fits the bed.
 #pragma once
 
 #include <array>

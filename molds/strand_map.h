@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The unrolled plane as a picture: which places the strands cover, coarsely.
+// Raster of the unrolled plane: which cells the strands cover.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one mesh type of the program: indexed triangles in mm.
+// Indexed triangle mesh in mm, the one mesh type of the program.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Strand outlines cut up on the integer grid until they meet at grid points only.
+// Arrangement of strand outlines in the plane, by iterated snap rounding on an integer grid
+// [Halperin 2002]: edges meet at grid points only.
 #pragma once
 
 #include <cstdint>
@@ -69,7 +70,6 @@ struct GeometryError : std::runtime_error {
 /// Guarantees: no two edges of a column cross or overlap; every grid point that is an end of an
 /// edge lies at least one step from every other edge; a point on a column line is known to both
 /// columns. No edge moves by more than a few grid steps. The winding of each outline is preserved.
-/// Method: iterated snap rounding (D. Halperin, E. Packer, Comput. Geom. 23, 2002).
 /// Time n log n for strands of bounded crossing; throws GeometryError as described there.
 /// Precondition: one to most_sheets patterns of the grid's circumference and length.
 Arrangement arrange(std::span<const Pattern> sheets, const PlaneGrid& grid,

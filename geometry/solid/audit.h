@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a printable mesh must be, proved on the mesh itself.
+// Audit of a triangle mesh: closed, oriented, without degenerate or intersecting triangles, and its
+// parts and genus, proved on the mesh itself.
 #pragma once
 
 #include <cstddef>

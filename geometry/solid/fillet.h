@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Fillets of a drawn lattice: morphological closing of its outline with a disc, by offsets of
+// polygons (Clipper).
 #pragma once
 
 #include "geometry/pattern/pattern.h"

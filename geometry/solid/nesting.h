@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which closed bodies of a mesh lie inside which.
+// Nesting of closed bodies: the winding number of each one's surroundings, by exact ray casting.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Boxes that lie along what they hold.
+// Oriented bounding boxes of triangles, and a test that two of them are apart.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A region cut into triangles, none of which reaches across a column line or a cut height.
+// Triangulation of a planar region, constrained Delaunay (CGAL); no triangle reaches across a
+// column line or a cut height.
 #pragma once
 
 #include <array>

@@ -48,8 +48,11 @@ SolidError solid_error(const Region& region, const std::vector<std::vector<doubl
     const double depth = deepest_level(radii_mm[layer]);
     const double bulge = wall_error_mm(depth, angle, steepness);
     const double chords = chord_error_mm(ceiling, angle);
-    // A wall's upper edge stands beside its place, and on a corner that stands out. Below it the
-    // wall bulges by 16 s (1/2 - s) of its most, s being the share of its depth.
+    // `edge`: how far a wall's upper edge is displaced along the ceiling. `bulge`: how far the wall
+    // leaves its ruled surface half way down to the next level; at the share s of the depth below
+    // the edge that is 16 s (1/2 - s) bulge. `chords`: how far a corner of the ceiling lies outside
+    // of the cylinder. The last stands square to the others, and both are largest together at the
+    // depth `chords` below the rim.
     const double edge = ceiling * shift + grown * plane.distance_mm;
     const double over = std::min(0.25, chords / depth);
     const double rim = std::hypot(edge + 16 * over * (0.5 - over) * bulge, chords);

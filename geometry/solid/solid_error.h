@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a meshed solid may be from what it stands for.
+// Error bound of a meshed solid against the solid that it stands for, from how it was made
+// (docs/geometry.md#how-far-a-file-may-be-from-what-was-drawn).
 #pragma once
 
 #include <vector>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solids of one segment: its lattice and its liner.
+// Meshed solids of one segment, its lattice and its liner: reliefs of the united plane, wrapped
+// around the tube (docs/geometry.md).
 #pragma once
 
 #include "design/design.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where a body is thinner than a printer can make it.
+// Wall thickness of a body along inward normals, by ray casting: where it is thinner than a printer
+// can make it.
 #pragma once
 
 #include <limits>
