@@ -3,6 +3,7 @@
 
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
+option(CMAKE_DISABLE_PRECOMPILE_HEADERS "Compile the standard headers anew for each source" ON)
 find_program(CCACHE ccache)
 if(CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
@@ -37,8 +38,9 @@ if(LATTICAST_FUZZ)
 endif()
 
 # The standard library's headers, compiled once for all targets: they were most of what a small source cost. Sources
-# include what they use all the same: the preset dev, and with it clang-tidy, does without. Third-party headers stay out, so that
-# only their sources see them and settings like FMT_SHARED may differ between targets.
+# include what they use all the same. Off unless CMAKE_DISABLE_PRECOMPILE_HEADERS=OFF asks for it: clang-tidy cannot
+# read g++'s precompiled header. Third-party headers stay out, so that only their sources see them and settings like
+# FMT_SHARED may differ between targets.
 file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/standard_headers.cpp" CONTENT "" @ONLY)
 add_library(latticast_standard_headers OBJECT EXCLUDE_FROM_ALL "${CMAKE_BINARY_DIR}/standard_headers.cpp")
 target_link_libraries(latticast_standard_headers PRIVATE latticast_settings)
