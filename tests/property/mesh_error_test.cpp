@@ -236,7 +236,8 @@ class Measurement {
     for (int halving = 0; halving < 6; ++halving, pressure /= 2) {
       design.make.preview = Preview{{LoadCase{{pressure}}}};
       try {
-        return predict_preview(design).front();
+        PreparedResponses responses(design);
+        return predict_preview(responses).front();
       } catch (const NoEquilibrium&) {
         continue;
       } catch (const UnsupportedDesign&) {

@@ -54,7 +54,8 @@ TEST(MeshFormats, KeepTheLatticesOfExamples) {
 
 TEST(MeshFormats, KeepThePiecesOfAMold) {
   const Design design = example("molds/twisting_molds.toml");
-  for (const PlannedMold& planned : make_molds(design, plan_build(design, {}))) {
+  PreparedDesign prepared(design);
+  for (const PlannedMold& planned : plan_molds(prepared, plan_build(design, {}))) {
     for (const MoldPiece& piece : planned.mold.pieces) {
       expect_kept(planned.kind + " " + piece.name, printing_pose(piece));
     }

@@ -96,7 +96,8 @@ void add_rest_parts(const Design& design, std::size_t s, std::vector<Expected>& 
 
 void add_preview_parts(const Design& design, std::vector<Expected>& parts) {
   if (!design.make.preview) return;
-  const std::vector<PreviewShape> shapes = predict_preview(design);
+  PreparedResponses responses(design);
+  const std::vector<PreviewShape> shapes = predict_preview(responses);
   for (std::size_t s = 0; s < design.segments.size(); ++s) {
     // Finer columns may open a gap of a grid step that coarser ones closed.
     const Solid lattice = lattice_solid(
