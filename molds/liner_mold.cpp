@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -87,10 +88,24 @@ std::vector<double> strap_grooves(const Frame& frame) {
   return {};
 }
 
+enum class Sheet : std::uint8_t { piece, straps, flanges };
+
+// Layers of a shell with flanges; without them it has the two outer ones, counted from 0.
+enum class ShellLayer : std::uint8_t { between_flanges, wall, outside };
+
+Layers flanged_shell_layers(unsigned sheets) {
+  if (!has(sheets, Sheet::piece)) return 0;
+  Layers material = only(ShellLayer::wall);
+  if (!has(sheets, Sheet::straps)) material |= only(ShellLayer::outside);
+  if (!has(sheets, Sheet::flanges)) material |= only(ShellLayer::between_flanges);
+  return material;
+}
+
+Layers plain_shell_layers(unsigned sheets) {
+  return flanged_shell_layers(sheets) >> static_cast<unsigned>(ShellLayer::wall);
+}
+
 Solid shell_solid(const Frame& frame, int piece) {
-  constexpr unsigned outline = 1;
-  constexpr unsigned groove = 2;
-  constexpr unsigned flange = 4;
   const LinerCavity& cavity = frame.cavity;
   const double drawn = cavity.bore_radius_mm;
   const double height = cavity.height_mm;
@@ -115,12 +130,7 @@ Solid shell_solid(const Frame& frame, int piece) {
   }
   tube.layers.push_back({cavity.flange_radius_mm, groove_radius});
   tube.layers.push_back({groove_radius, frame.outside_mm});
-  tube.filling = [flanged](unsigned sheets) {
-    if ((sheets & outline) == 0) return Layers{0};
-    const Layers outer = (sheets & groove) != 0 ? 1 : 3;
-    if (!flanged) return outer;
-    return (outer << 1U) | ((sheets & flange) != 0 ? 0U : 1U);
-  };
+  tube.filling = flanged ? flanged_shell_layers : plain_shell_layers;
   return layered_solid(tube, frame.tolerance_mm);
 }
 

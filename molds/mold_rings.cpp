@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "molds/mold_rings.h"
 
+#include <cstdint>
 #include <numbers>
 
 #include "geometry/solid/layered_solid.h"
@@ -8,10 +9,10 @@
 namespace latticast {
 namespace {
 
-constexpr unsigned whole = 1;
-constexpr unsigned beside_socket = 2;
-constexpr unsigned rim = 4;
-constexpr unsigned opening = 8;
+enum class Sheet : std::uint8_t { whole, beside_socket, rim, openings };
+constexpr unsigned beside_socket = only(Sheet::beside_socket);
+constexpr unsigned rim = only(Sheet::rim);
+constexpr unsigned opening = only(Sheet::openings);
 
 // From the plate's outer face towards the cavity: floor, socket, rim.
 Pattern upside(const Pattern& pattern, bool upwards) {
@@ -24,17 +25,52 @@ Pattern upside(const Pattern& pattern, bool upwards) {
   return turned;
 }
 
+// Radial layers of an end plate, and on which sheets each is absent.
+struct PlateLayers {
+  std::vector<RadialLayer> layers;
+  std::vector<unsigned> absent;
+
+  Layers operator()(unsigned sheets) const {
+    Layers material = 0;
+    if (!has(sheets, Sheet::whole)) return material;
+    for (std::size_t i = 0; i < absent.size(); ++i) {
+      if ((sheets & absent[i]) == 0) material |= only(i);
+    }
+    return material;
+  }
+};
+
+// Socket, the plate up to the openings, the openings, the plate beyond them, the rim.
+PlateLayers plate_layers(const EndPlate& plate, double inner, double shell) {
+  PlateLayers plates;
+  const auto add = [&](double to, unsigned where) {
+    const double floor =
+        plates.layers.empty() ? plate.hole_radius_mm : plates.layers.back().ceiling_mm;
+    plates.layers.push_back({floor, to});
+    plates.absent.push_back(where);
+  };
+  const bool has_socket = plate.core_radius_mm > 0;
+  if (has_socket) add(inner, beside_socket | rim);
+  if (!plate.openings_rad.empty()) {
+    if (!has_socket || plate.opening_from_mm > inner) add(plate.opening_from_mm, rim);
+    add(plate.opening_to_mm, rim | opening);
+  }
+  add(shell, rim);
+  add(shell + plate.wall_mm, 0);
+  return plates;
+}
+
 }  // namespace
 
 Solid core_solid(const Core& core, double tolerance_mm) {
   const double length = core.to_mm - core.from_mm;
-  const LayeredTube rod{core.radius_mm,
-                        length,
-                        core.from_mm,
-                        {draw_sleeve(core.radius_mm, length)},
-                        [](unsigned sheets) { return sheets & 1U; },
-                        {{0, core.radius_mm}},
-                        {core.chamfer_mm, length - core.chamfer_mm}};
+  const LayeredTube rod{.drawn_radius_mm = core.radius_mm,
+                        .length_mm = length,
+                        .start_z_mm = core.from_mm,
+                        .sheets = {draw_sleeve(core.radius_mm, length)},
+                        .filling = [](unsigned sheets) { return Layers{sheets}; },
+                        .layers = {{0, core.radius_mm}},
+                        .cuts_mm = {core.chamfer_mm, length - core.chamfer_mm}};
   Solid solid = layered_solid(rod, chamfer_tolerance_mm(tolerance_mm, core.radius_mm));
   for (const double end : {core.from_mm, core.to_mm}) {
     chamfer(solid, end, core.radius_mm, core.chamfer_mm);
@@ -46,7 +82,6 @@ Solid end_plate_solid(const EndPlate& plate, double face_mm, bool upwards, doubl
   const double slack = 0.5 * plate.clearance_mm;
   const double inner = plate.core_radius_mm + slack;
   const double shell = plate.shell_radius_mm + slack;
-  const double outer = shell + plate.wall_mm;
   const double plate_height = plate.floor_mm + plate.socket_mm;
   const double height = plate_height + plate.rim_mm;
   const double drawn = shell;
@@ -61,30 +96,9 @@ Solid end_plate_solid(const EndPlate& plate, double face_mm, bool upwards, doubl
     openings.strands.push_back(drawn_window(drawn, middle - half, middle + half, 0, plate_height));
   }
 
-  // Socket, the plate up to the openings, the openings, the plate beyond them, the rim.
-  const bool has_socket = plate.core_radius_mm > 0;
-  std::vector<RadialLayer> layers;
-  std::vector<unsigned> absent;
-  const auto add = [&](double to, unsigned where) {
-    layers.push_back({layers.empty() ? plate.hole_radius_mm : layers.back().ceiling_mm, to});
-    absent.push_back(where);
-  };
-  if (has_socket) add(inner, beside_socket | rim);
-  if (!plate.openings_rad.empty()) {
-    if (!has_socket || plate.opening_from_mm > inner) add(plate.opening_from_mm, rim);
-    add(plate.opening_to_mm, rim | opening);
-  }
-  add(shell, rim);
-  add(outer, 0);
-  const auto filling = [absent](unsigned sheets) {
-    Layers material = 0;
-    if ((sheets & whole) == 0) return material;
-    for (std::size_t i = 0; i < absent.size(); ++i) {
-      if ((sheets & absent[i]) == 0) material |= Layers{1} << i;
-    }
-    return material;
-  };
-  LayeredTube tube{drawn, height, 0, {}, filling, layers, {}};
+  const PlateLayers plates = plate_layers(plate, inner, shell);
+  LayeredTube tube{
+      .drawn_radius_mm = drawn, .length_mm = height, .filling = plates, .layers = plates.layers};
   for (const Pattern& sheet : {all, above_floor, above_plate, openings}) {
     tube.sheets.push_back(upside(sheet, upwards));
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -14,15 +15,19 @@ namespace latticast {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr unsigned lattice = 1;
-constexpr unsigned rod_here = 2;
-constexpr unsigned gate = 4;
+enum class Sheet : std::uint8_t { lattice, rod, gates };
 
-// Rod, lattice and gates on the rod, gates through the rubber.
+// The rod, what stands on it as high as the lattice, and the gates through the rubber.
+enum class PatternLayer : std::uint8_t { rod, lattice, gates };
+
 Layers pattern_layers(unsigned sheets) {
-  if ((sheets & rod_here) == 0) return 0;
-  const bool on_rod = (sheets & (lattice | gate)) != 0;
-  return 1U | (on_rod ? 2U : 0U) | ((sheets & gate) != 0 ? 4U : 0U);
+  if (!has(sheets, Sheet::rod)) return 0;
+  Layers material = only(PatternLayer::rod);
+  if (has(sheets, Sheet::gates)) material |= only(PatternLayer::gates);
+  if (has(sheets, Sheet::lattice) || has(sheets, Sheet::gates)) {
+    material |= only(PatternLayer::lattice);
+  }
+  return material;
 }
 
 // The box is the mold of a thick tube: the flexible mold itself.

@@ -2,6 +2,7 @@
 #include "molds/shell.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numbers>
 
 #include "geometry/solid/layered_solid.h"
@@ -9,16 +10,18 @@
 namespace latticast {
 namespace {
 
-constexpr unsigned strand = 1;
-constexpr unsigned piece_here = 2;
-constexpr unsigned bore = 4;
-constexpr unsigned strap = 8;
+enum class Sheet : std::uint8_t { lattice, piece, bores, straps };
+
+// Lands between the lattice's grooves, the wall behind the grooves, and what the straps' grooves
+// are cut into.
+enum class ShellLayer : std::uint8_t { lands, wall, outside };
 
 Layers shell_layers(unsigned sheets) {
-  if ((sheets & piece_here) == 0 || (sheets & bore) != 0) return 0;
-  const bool land = (sheets & strand) == 0;
-  const bool full = (sheets & strap) == 0;
-  return 2U | (land ? 1U : 0U) | (full ? 4U : 0U);
+  if (!has(sheets, Sheet::piece) || has(sheets, Sheet::bores)) return 0;
+  Layers material = only(ShellLayer::wall);
+  if (!has(sheets, Sheet::lattice)) material |= only(ShellLayer::lands);
+  if (!has(sheets, Sheet::straps)) material |= only(ShellLayer::outside);
+  return material;
 }
 
 // The sheet of the lattice, on which the pieces' own are laid.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "geometry/mesh/disjoint_sets.h"
 #include "geometry/solid/nesting.h"
 #include "geometry/solid/self_intersection.h"
 
@@ -13,21 +14,6 @@ namespace latticast {
 namespace {
 
 constexpr std::size_t listed_per_defect = 5;
-
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size) : parent_(size) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void unite(std::uint32_t i, std::uint32_t j) { parent_[find(i)] = find(j); }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 // One side of a triangle, filed under its lower vertex.
 struct Side {
@@ -158,8 +144,8 @@ class Auditor {
   // Two triangles at an edge belong to the same fan at both its ends.
   void join(const Side& a, const Side& b) {
     const bool opposite = a.ascending != b.ascending;
-    fans_.unite(a.corner, opposite ? next_corner(b.corner) : b.corner);
-    fans_.unite(next_corner(a.corner), opposite ? b.corner : next_corner(b.corner));
+    fans_.join(a.corner, opposite ? next_corner(b.corner) : b.corner);
+    fans_.join(next_corner(a.corner), opposite ? b.corner : next_corner(b.corner));
   }
 
   // A vertex with more than one fan is pinched; the fans' number is the Euler count's vertex
@@ -170,9 +156,9 @@ class Auditor {
     std::size_t fans = 0;
     DisjointSets bodies(3 * mesh_.triangles.size());
     for (std::uint32_t corner = 0; corner < 3 * mesh_.triangles.size(); ++corner) {
-      const std::uint32_t fan = fans_.find(corner);
-      bodies.unite(corner, 3 * (corner / 3));
-      bodies.unite(corner, fan);
+      const std::uint32_t fan = fans_.root(corner);
+      bodies.join(corner, 3 * (corner / 3));
+      bodies.join(corner, fan);
       if (fan != corner) continue;
       ++fans;
       const std::uint32_t v = mesh_.triangles[corner / 3][corner % 3];
@@ -191,7 +177,7 @@ class Auditor {
   void collect_bodies(DisjointSets& corners) {
     std::vector<std::uint32_t> body_of(3 * mesh_.triangles.size(), 0);  // by root corner, from 1
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      std::uint32_t& body = body_of[corners.find(3 * t)];
+      std::uint32_t& body = body_of[corners.root(3 * t)];
       if (body == 0) {
         bodies_.emplace_back();
         body = static_cast<std::uint32_t>(bodies_.size());

@@ -21,12 +21,12 @@ struct RadialLayer {
 struct LayeredTube {
   double drawn_radius_mm = 0;  ///< where the plane is unrolled: u = drawn radius x Theta
   double length_mm = 0;
-  double start_z_mm = 0;        ///< added to every z
-  std::vector<Pattern> sheets;  ///< 1 to most_sheets; material is closed where it touches in points
-                                ///< on sheet 0 only
-  Filling filling;              ///< layers that are material, by the sheets that cover a place
-  std::vector<RadialLayer> layers;
-  std::vector<double> cuts_mm;  ///< heights at which all walls are cut, rising, between the ends
+  double start_z_mm = 0;          ///< added to every z
+  std::vector<Pattern> sheets{};  ///< 1 to most_sheets; material is closed where it touches in
+                                  ///< points on sheet 0 only
+  Filling filling{};              ///< layers that are material, by the sheets that cover a place
+  std::vector<RadialLayer> layers{};
+  std::vector<double> cuts_mm{};  ///< heights at which all walls are cut, rising, between the ends
   double steepness =
       0;  ///< of the steepest wall (relief.h): 0 when all run along or around the tube
   bool sheet_0_is_closed = false;  ///< by closed_sheet_0() for the tolerance of the solid

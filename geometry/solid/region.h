@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is material in the unrolled plane and what is not, layer by layer.
+// Union of strands in the unrolled plane: a subdivision by winding numbers that says which layers
+// are material where.
 #pragma once
 
 #include <cstdint>
@@ -53,6 +54,18 @@ struct LinePoint {
 /// Throws GeometryError (see arrangement.h).
 Region unite(Pattern pattern, const PlaneGrid& grid, std::span<const std::int32_t> cuts,
              double closing_mm);
+
+/// The set of one layer, or of one sheet, alone. Layers and sheets are named by enumerators.
+template <class Index>
+constexpr std::uint32_t only(Index index) {
+  return 1U << static_cast<unsigned>(index);
+}
+
+/// Does a set of layers or of sheets hold this one?
+template <class Index>
+constexpr bool has(std::uint32_t set, Index index) {
+  return (set & only(index)) != 0;
+}
 
 /// Which layers are material at a place, from the sheets that cover it there (bit s for sheet s).
 /// None where no sheet does: what lies beyond the ends is such a place.

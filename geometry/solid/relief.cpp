@@ -56,8 +56,6 @@ class Wrapper {
  private:
   std::size_t layer_count() const { return first_level_.size() - 1; }
 
-  static bool has(Layers layers, std::size_t layer) { return ((layers >> layer) & 1U) != 0; }
-
   // A layer under another one, or on one, has no face there; nor has the axis.
   void add_floors_and_ceilings(const std::array<std::uint32_t, 3>& triangle, Layers layers) {
     const auto [a, b, c] = triangle;
