@@ -148,7 +148,7 @@ std::array<double, 4> quaternion(const Rotation& r) {
   return q;
 }
 
-Json state_json(const State& state, const Segment& segment) {
+Json end_json(const State& state, const Segment& segment) {
   const Frame end = frame_along(state, segment.length_mm);
   return {{"pressure_kPa", state.pressure_kpa},
           {"end", {{"origin_mm", end.origin}, {"quaternion", quaternion(end.rotation)}}}};
@@ -161,7 +161,7 @@ Json segment_json(const ViewSegment& view, const Segment& segment, std::size_t n
     json["bodies"].push_back({{"node", body.node}, {"role", body.is_liner ? "liner" : "lattice"}});
   }
   json["states"] = Json::array();
-  for (const State& state : view.states) json["states"].push_back(state_json(state, segment));
+  for (const State& state : view.states) json["states"].push_back(end_json(state, segment));
   return json;
 }
 
