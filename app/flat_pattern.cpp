@@ -19,7 +19,7 @@ std::string counted(std::size_t count, std::string_view what) {
 
 }  // namespace
 
-FlatDrawing flat_drawing(const Design& design, std::size_t segment, const FlatSheet& sheet) {
+FlatDrawing flat_drawing(const Design& design, std::size_t segment, const FlatPattern& sheet) {
   FlatDrawing drawing;
   drawing.title = design.name;
   if (design.segments.size() > 1) drawing.title += fmt::format(", segment {}", segment + 1);
@@ -35,7 +35,7 @@ FlatDrawing flat_drawing(const Design& design, std::size_t segment, const FlatSh
   return drawing;
 }
 
-std::string describe(const FlatSheet& sheet) {
+std::string describe(const FlatPattern& sheet) {
   std::size_t holes = 0;
   for (const FlatPiece& piece : sheet.pieces) holes += piece.holes.size();
   return fmt::format(

@@ -29,8 +29,8 @@ void make_flat_pattern(Build& build, std::size_t s) {
     delivery.tell(fmt::format("{}: no flat pattern, the segment has no lattice\n", stem));
     return;
   }
-  const FlatSheet sheet =
-      flat_sheet(build.order.prepared.lattices.of(s), design.output.tolerance_mm);
+  const FlatPattern sheet =
+      flat_pattern(build.order.prepared.lattices.of(s), design.output.tolerance_mm);
   const FlatDrawing drawing = flat_drawing(design, s, sheet);
   write_svg(delivery.add_file(stem + ".svg"), drawing);
   write_dxf(delivery.add_file(stem + ".dxf"), drawing);

@@ -18,9 +18,11 @@ PlannedMold planned_replica_mold(PreparedDesign& prepared, std::size_t s) {
   Mold mold = prepared.molds.lattice_mold(s);
   Material rubber;
   rubber.name = "mold rubber";
-  Casting casting{fmt::format("Flexible mold for the lattice of segment {}", s + 1), mold, rubber,
-                  design.printer.process};
-  casting.inside = "pattern";
+  const Casting casting{.title = fmt::format("Flexible mold for the lattice of segment {}", s + 1),
+                        .mold = mold,
+                        .material = rubber,
+                        .process = design.printer.process,
+                        .inside = "pattern"};
   std::string procedure = pour_procedure(casting);
   return {s, "lattice-mold", std::move(mold), std::move(procedure)};
 }
@@ -32,9 +34,11 @@ PlannedMold planned_lattice_mold(PreparedDesign& prepared, std::size_t s) {
   }
   const Segment& segment = design.segments[s];
   Mold mold = prepared.molds.lattice_mold(s);
-  Casting casting{fmt::format("Lattice of segment {}", s + 1), mold, segment.lattice->material,
-                  design.printer.process};
-  casting.through_bores = true;
+  const Casting casting{.title = fmt::format("Lattice of segment {}", s + 1),
+                        .mold = mold,
+                        .material = segment.lattice->material,
+                        .process = design.printer.process,
+                        .through_bores = true};
   std::string procedure = pour_procedure(casting);
   return {s, "lattice-mold", std::move(mold), std::move(procedure)};
 }
@@ -47,10 +51,12 @@ PlannedMold planned_liner_mold(PreparedDesign& prepared, std::size_t s) {
   PlugOptions plug_options;
   plug_options.tolerance_mm = design.output.tolerance_mm;
   plug_options.closed_end = options.ends == LinerEnds::closed;
-  Casting casting{fmt::format("Liner of segment {}", s + 1), mold, segment.liner.material,
-                  design.printer.process};
-  casting.into_lattice = options.keyed;
-  casting.extras = end_plugs(segment, plug_options);
+  Casting casting{.title = fmt::format("Liner of segment {}", s + 1),
+                  .mold = mold,
+                  .material = segment.liner.material,
+                  .process = design.printer.process,
+                  .into_lattice = options.keyed,
+                  .extras = end_plugs(segment, plug_options)};
   std::string procedure = pour_procedure(casting);
   for (MoldPiece& plug : casting.extras) mold.pieces.push_back(std::move(plug));
   return {s, "liner-mold", std::move(mold), std::move(procedure)};

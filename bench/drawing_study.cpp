@@ -61,8 +61,8 @@ std::string widths_text(testing::Random& dice, int count, double widest) {
          (dice.chance(0.5) ? ", profile = \"cosine\" }" : ", profile = \"halves\" }");
 }
 
-/// Columns around the tube at that tolerance (docs/geometry.md).
-double columns(double radius_mm, double tolerance_mm) {
+/// Sectors around the tube at that tolerance (docs/geometry.md).
+double sectors(double radius_mm, double tolerance_mm) {
   return std::max(12.0, 2 * std::numbers::pi * std::sqrt(radius_mm / (12 * tolerance_mm)));
 }
 
@@ -88,7 +88,7 @@ std::string grid_text(testing::Random& dice, double middle_mm, Drawing& drawing)
   }
   const double turns =
       std::abs(drawing.length_mm / std::tan(angle * std::numbers::pi / 180)) / around;
-  drawing.pieces += 2 * count * (1 + turns * columns(middle_mm, drawing.tolerance_mm));
+  drawing.pieces += 2 * count * (1 + turns * sectors(middle_mm, drawing.tolerance_mm));
   drawing.angle_deg = angle;
   drawing.strands += count;
   return text;
@@ -114,7 +114,7 @@ Drawing draft(testing::Random& dice) {
         dice.chance(0.1) ? static_cast<int>(dice.log_between(30, 2000)) : dice.integer(2, 24);
     text += "[segment.lattice.rings]\ncount = " + std::to_string(count) +
             "\nwidth = " + number(drawing.length_mm / count * dice.log_between(1e-3, 0.99)) + "\n";
-    drawing.pieces += 2 * count * columns(middle, drawing.tolerance_mm);
+    drawing.pieces += 2 * count * sectors(middle, drawing.tolerance_mm);
   }
   const int families = dice.integer(rings ? 0 : 1, 2);
   for (int i = 0; i < families; ++i) text += grid_text(dice, middle, drawing);

@@ -57,7 +57,7 @@ Segment twisting_segment(const Size& size) {
 
 PlaneGrid plane_of(const Segment& segment, const Pattern& pattern, double tolerance) {
   return make_plane_grid(pattern.circumference_mm, segment.length_mm,
-                         columns_for(segment.outer_radius_mm(), tolerance));
+                         sectors_for(segment.outer_radius_mm(), tolerance));
 }
 
 void unite_strands(benchmark::State& state, const Size& size) {

@@ -85,13 +85,13 @@ std::string stage_times(const Asked& asked) {
     pattern = draw_lattice(segment, flatness);
     if (asked.fillet_mm > 0) pattern = with_fillets(pattern, asked.fillet_mm, flatness);
   });
-  const int columns = columns_for(segment.outer_radius_mm(), tolerance);
-  const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, segment.length_mm, columns);
+  const int sectors = sectors_for(segment.outer_radius_mm(), tolerance);
+  const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, segment.length_mm, sectors);
   Region region;
   const double unite_s = timed([&] { region = unite(pattern, grid, {}, tolerance); });
   Relief relief;
   const double triangles_s = timed([&] { relief.plane = triangulate(region); });
-  relief.radii_mm = {wall_radii(16, 18, grid.column_angle_rad(), 1, tolerance)};
+  relief.radii_mm = {wall_radii(16, 18, grid.sector_angle_rad(), 1, tolerance)};
   TriangleMesh mesh;
   const double wrap_s = timed([&] { mesh = wrap(relief); });
   const std::filesystem::path file =

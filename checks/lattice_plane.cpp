@@ -13,7 +13,7 @@
 namespace latticast {
 namespace {
 
-constexpr int few_columns = 3;  // the plane is flat: columns only cut outlines
+constexpr int few_sectors = 3;  // the plane is flat: sectors only cut outlines
 constexpr double coarsest_mm = 0.01;
 constexpr double share_of_finest = 0.05;
 constexpr double finest_slack_mm = 1e-3;
@@ -32,7 +32,7 @@ std::vector<PlanePoint> points_of(const PlaneMesh& mesh) {
   std::vector<PlanePoint> points;
   points.reserve(mesh.vertices.size());
   for (const PlaneMeshVertex& v : mesh.vertices) {
-    const double steps = static_cast<double>(v.column) * mesh.grid.column_steps + v.point.u;
+    const double steps = static_cast<double>(v.sector) * mesh.grid.sector_steps + v.point.u;
     points.push_back({steps * mesh.grid.u_step_mm, v.point.z * mesh.grid.z_step_mm});
   }
   return points;
@@ -160,7 +160,7 @@ LatticePlane lattice_plane(LatticeDrawing& drawing) {
       std::min(coarsest_mm, share_of_finest * finest_mm(*drawing.segment().lattice));
   const Pattern& pattern = drawing.outlines(flatness_mm);
   LatticePlane plane{pattern.circumference_mm, pattern.length_mm, {}, {}, 0};
-  const PlaneGrid grid = make_plane_grid(plane.circumference_mm, plane.length_mm, few_columns);
+  const PlaneGrid grid = make_plane_grid(plane.circumference_mm, plane.length_mm, few_sectors);
   const PlaneMesh mesh = triangulate(drawing.united(flatness_mm, grid, {}, flatness_mm));
   const std::vector<PlanePoint> points = points_of(mesh);
   plane.outlines = outlines_of(mesh, points, plane.circumference_mm);

@@ -12,7 +12,7 @@
 namespace latticast {
 namespace {
 
-constexpr int columns_around = 48;
+constexpr int sectors_around = 48;
 constexpr double closing_mm = 0.01;
 constexpr double level_mm = 0.05;
 constexpr double whole_turn = 0.9;  // a plateau that reaches this far around is a ring
@@ -39,11 +39,11 @@ class Cavity {
   explicit Cavity(const Pattern& strands)
       : circumference_(strands.circumference_mm),
         region_(unite(strands,
-                      make_plane_grid(strands.circumference_mm, strands.length_mm, columns_around),
+                      make_plane_grid(strands.circumference_mm, strands.length_mm, sectors_around),
                       {}, closing_mm)),
         mesh_(triangulate(region_)) {
     for (const PlaneMeshVertex& v : mesh_.vertices) {
-      const double steps = static_cast<double>(v.column) * mesh_.grid.column_steps + v.point.u;
+      const double steps = static_cast<double>(v.sector) * mesh_.grid.sector_steps + v.point.u;
       points_.push_back({steps * mesh_.grid.u_step_mm, v.point.z * mesh_.grid.z_step_mm});
     }
     triangles_at_.resize(points_.size());

@@ -6,147 +6,16 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/solid/outline_cutter.h"
+
 namespace latticast {
 namespace {
 
 constexpr double most_pieces = 20e6;
 constexpr int most_passes = 1000;
 
-using Column = std::vector<ArrangedEdge>;
+using Sector = std::vector<ArrangedEdge>;
 using Heights = std::vector<std::int32_t>;  // sorted, distinct
-
-// A grid point before the plane is made periodic.
-struct FarPoint {
-  std::int64_t u = 0;
-  std::int64_t z = 0;
-};
-
-using LinePieces = std::vector<LinePiece>;
-
-// How an outline counts, and where it was drawn.
-struct Source {
-  std::int64_t winding = 0;
-  EdgeOrigin origin = on_cut;
-};
-
-ArrangedEdge ordered(GridPoint a, GridPoint b, Source source) {
-  return a < b ? ArrangedEdge{a, b, source.winding, source.origin}
-               : ArrangedEdge{b, a, -source.winding, source.origin};
-}
-
-LinePiece piece_of_line(std::int64_t from, std::int64_t to, EdgeOrigin origin) {
-  const auto [low, high] =
-      std::minmax({static_cast<std::int32_t>(from), static_cast<std::int32_t>(to)});
-  return {low, high, origin};
-}
-
-bool on_column_line(const ArrangedEdge& edge, std::int32_t column_steps) {
-  return edge.a.u == edge.b.u && (edge.a.u == 0 || edge.a.u == column_steps);
-}
-
-FarPoint to_grid(PlanePoint point, const PlaneGrid& grid) {
-  return {std::llround(point.u / grid.u_step_mm),
-          std::clamp<std::int64_t>(std::llround(point.z / grid.z_step_mm), 0, grid.length_steps)};
-}
-
-// Cuts outline edges at column lines and heights and files the pieces under their columns.
-class Cutter {
- public:
-  Cutter(std::span<const std::int32_t> cuts, Arrangement& plane)
-      : grid_(plane.grid), cuts_(cuts), plane_(plane) {}
-
-  void add_outline(const std::vector<PlanePoint>& outline, std::int64_t winding, EdgeOrigin first) {
-    for (std::size_t i = 0; i < outline.size(); ++i) {
-      const FarPoint from = to_grid(outline[i], grid_);
-      const FarPoint to = to_grid(outline[(i + 1) % outline.size()], grid_);
-      // Cut points are computed from the lower-left end, so that two outlines sharing an edge in
-      // opposite directions share its cut points as well.
-      const bool forward = from.u < to.u || (from.u == to.u && from.z < to.z);
-      const EdgeOrigin origin = origin_of(from, to, first + static_cast<EdgeOrigin>(i));
-      add_edge(forward ? from : to, forward ? to : from, {forward ? winding : -winding, origin});
-    }
-  }
-
- private:
-  EdgeOrigin origin_of(FarPoint from, FarPoint to, EdgeOrigin drawn) const {
-    if (from.z == 0 && to.z == 0) return on_segment_start;
-    if (from.z == grid_.length_steps && to.z == grid_.length_steps) return on_segment_end;
-    return drawn;
-  }
-
-  void add_edge(FarPoint a, FarPoint b, Source source) {
-    const std::int64_t width = grid_.column_steps;
-    if (a.u == b.u) {
-      if (a.u % width != 0) {
-        add_piece(a, b, source);
-      } else {
-        plane_.lines[around(a.u / width)].push_back(piece_of_line(a.z, b.z, source.origin));
-      }
-      return;
-    }
-    FarPoint from = a;
-    for (std::int64_t line = (a.u / width - (a.u % width < 0)) * width + width; line < b.u;
-         line += width) {
-      const double part = static_cast<double>(line - a.u) / static_cast<double>(b.u - a.u);
-      const FarPoint to{line, a.z + std::llround(part * static_cast<double>(b.z - a.z))};
-      add_piece(from, to, source);
-      from = to;
-    }
-    add_piece(from, b, source);
-  }
-
-  // A piece within one column; cut further where it passes a height.
-  void add_piece(FarPoint a, FarPoint b, Source source) {
-    const std::int64_t width = grid_.column_steps;
-    const std::int64_t column = a.u / width - (a.u % width < 0);
-    const auto local = [&](FarPoint p) {
-      return GridPoint{static_cast<std::int32_t>(p.u - column * width),
-                       static_cast<std::int32_t>(p.z)};
-    };
-    const std::size_t home = around(column);
-    GridPoint from = local(a);
-    const GridPoint end = local(b);
-    for (const std::int32_t height : heights_between(from.z, end.z)) {
-      const double part = static_cast<double>(height - a.z) / static_cast<double>(b.z - a.z);
-      const GridPoint to{static_cast<std::int32_t>(
-                             local(a).u + std::llround(part * static_cast<double>(b.u - a.u))),
-                         height};
-      add_part(home, from, to, source);
-      from = to;
-    }
-    add_part(home, from, end, source);
-  }
-
-  // A steep piece that starts on a column line may have its first part rounded onto the line.
-  void add_part(std::size_t column, GridPoint from, GridPoint to, Source source) {
-    if (from == to) return;
-    const ArrangedEdge part = ordered(from, to, source);
-    if (!on_column_line(part, grid_.column_steps)) {
-      plane_.columns[column].push_back(part);
-    } else {
-      const std::size_t line = from.u == 0 ? column : around(static_cast<std::int64_t>(column) + 1);
-      plane_.lines[line].push_back(piece_of_line(from.z, to.z, source.origin));
-    }
-  }
-
-  // Column or line i, counted on through any number of turns.
-  std::size_t around(std::int64_t i) const {
-    return static_cast<std::size_t>(((i % grid_.columns) + grid_.columns) % grid_.columns);
-  }
-
-  // The cut heights strictly between two heights, in the order in which they are passed.
-  Heights heights_between(std::int32_t from, std::int32_t to) const {
-    const auto first = std::upper_bound(cuts_.begin(), cuts_.end(), std::min(from, to));
-    const auto last = std::lower_bound(cuts_.begin(), cuts_.end(), std::max(from, to));
-    Heights between(first, std::max(first, last));
-    if (from > to) std::reverse(between.begin(), between.end());
-    return between;
-  }
-
-  const PlaneGrid& grid_;
-  std::span<const std::int32_t> cuts_;
-  Arrangement& plane_;
-};
 
 // How far along an edge a point lies, square to it: 0 at its start, `along(edge, edge.b)` at its
 // end.
@@ -184,24 +53,24 @@ GridPoint crossing_point(const ArrangedEdge& e, const ArrangedEdge& f) {
           static_cast<std::int32_t>(e.a.z + std::lround(part * (e.b.z - e.a.z)))};
 }
 
-// A line between two columns: the points and the pieces of outline on it.
+// A line between two sectors: the points and the pieces of outline on it.
 struct Line {
   Heights& heights;
   LinePieces& pieces;
 };
 
-// One pass over one column: finds where its edges must be cut, and cuts them.
-class ColumnSnapper {
+// One pass over one sector: finds where its edges must be cut, and cuts them.
+class SectorSnapper {
  public:
-  ColumnSnapper(Column& edges, Line left, Line right, std::int32_t column_steps)
+  SectorSnapper(Sector& edges, Line left, Line right, std::int32_t sector_steps)
       : edges_(edges),
         left_(left),
         right_(right),
-        column_steps_(column_steps),
+        sector_steps_(sector_steps),
         splits_(edges.size()) {
     for (const ArrangedEdge& edge : edges) points_.insert(points_.end(), {edge.a, edge.b});
     for (const std::int32_t z : left.heights) points_.push_back({0, z});
-    for (const std::int32_t z : right.heights) points_.push_back({column_steps, z});
+    for (const std::int32_t z : right.heights) points_.push_back({sector_steps, z});
     const auto by_height = [](GridPoint p, GridPoint q) {
       return p.z != q.z ? p.z < q.z : p.u < q.u;
     };
@@ -266,12 +135,12 @@ class ColumnSnapper {
   }
 
   void apply_splits() {
-    Column pieces;
+    Sector pieces;
     pieces.reserve(edges_.size() + points_.size());
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       GridPoint from = edges_[i].a;
       for (const GridPoint to : chain(edges_[i], std::move(splits_[i]))) {
-        const Source source{edges_[i].winding, edges_[i].origin};
+        const PieceSource source{edges_[i].winding, edges_[i].origin};
         if (from != to) add(pieces, ordered(from, to, source));
         from = to;
       }
@@ -299,8 +168,8 @@ class ColumnSnapper {
     return stops;
   }
 
-  void add(Column& pieces, const ArrangedEdge& piece) {
-    if (!on_column_line(piece, column_steps_)) {
+  void add(Sector& pieces, const ArrangedEdge& piece) {
+    if (!lies_on_line(piece, sector_steps_)) {
       pieces.push_back(piece);
     } else {
       Line& line = piece.a.u == 0 ? left_ : right_;
@@ -308,10 +177,10 @@ class ColumnSnapper {
     }
   }
 
-  Column& edges_;
+  Sector& edges_;
   Line left_;
   Line right_;
-  std::int32_t column_steps_;
+  std::int32_t sector_steps_;
   std::vector<GridPoint> points_;
   std::vector<std::vector<GridPoint>> splits_;
   std::vector<char> is_touched_;  // by edge: does a known point split it in this pass?
@@ -319,7 +188,7 @@ class ColumnSnapper {
 
 // Equal pieces become one, which comes from the smallest origin. Where two strands share a side the
 // sum may be 0: such a piece bounds nothing.
-void merge_equal(Column& edges) {
+void merge_equal(Sector& edges) {
   std::sort(edges.begin(), edges.end(), [](const ArrangedEdge& e, const ArrangedEdge& f) {
     return e.a != f.a ? e.a < f.a : e.b < f.b;
   });
@@ -335,8 +204,8 @@ void merge_equal(Column& edges) {
   edges.resize(kept);
 }
 
-// Adds the column's points on one of its lines to the points known there; says whether any was new.
-bool add_heights(const Column& edges, std::int32_t line_u, Heights& known) {
+// Adds the sector's points on one of its lines to the points known there; says whether any was new.
+bool add_heights(const Sector& edges, std::int32_t line_u, Heights& known) {
   Heights found;
   for (const ArrangedEdge& edge : edges) {
     if (edge.a.u == line_u) found.push_back(edge.a.z);
@@ -352,12 +221,12 @@ bool add_heights(const Column& edges, std::int32_t line_u, Heights& known) {
 }
 
 void snap_until_clean(Arrangement& plane) {
-  const int count = plane.grid.columns;
-  const std::int32_t width = plane.grid.column_steps;
+  const int count = plane.grid.sectors;
+  const std::int32_t width = plane.grid.sector_steps;
   std::vector<Heights> lines(count);
   for (int c = 0; c < count; ++c) {
-    add_heights(plane.columns[c], 0, lines[c]);
-    add_heights(plane.columns[c], width, lines[(c + 1) % count]);
+    add_heights(plane.sectors[c], 0, lines[c]);
+    add_heights(plane.sectors[c], width, lines[(c + 1) % count]);
   }
   std::vector<char> dirty(count, 1);
   for (int pass = 0; std::count(dirty.begin(), dirty.end(), 1) > 0; ++pass) {
@@ -369,10 +238,10 @@ void snap_until_clean(Arrangement& plane) {
     for (int c = 0; c < count; ++c) {
       if (!dirty[c]) continue;
       const int next = (c + 1) % count;
-      Column& edges = plane.columns[c];
+      Sector& edges = plane.sectors[c];
       const Line left{lines[c], plane.lines[c]};
       const Line right{lines[next], plane.lines[next]};
-      dirty[c] = ColumnSnapper(edges, left, right, width).run() ? 1 : 0;
+      dirty[c] = SectorSnapper(edges, left, right, width).run() ? 1 : 0;
       if (!dirty[c]) continue;
       merge_equal(edges);
       if (add_heights(edges, 0, lines[c])) dirty[(c + count - 1) % count] = 1;
@@ -381,16 +250,16 @@ void snap_until_clean(Arrangement& plane) {
   }
 }
 
-// How many pieces the column lines and the cuts will make of the outlines, before any is made.
+// How many pieces the sector lines and the cuts will make of the outlines, before any is made.
 double outline_pieces(const Pattern& pattern, const PlaneGrid& grid, std::size_t cuts) {
-  const double column_width = pattern.circumference_mm / grid.columns;
+  const double sector_width = pattern.circumference_mm / grid.sectors;
   const double cut_spacing = pattern.length_mm / static_cast<double>(cuts + 1);
   double pieces = 0;
   for (const Strand& strand : pattern.strands) {
     for (std::size_t i = 0; i < strand.outline.size(); ++i) {
       const PlanePoint& from = strand.outline[i];
       const PlanePoint& to = strand.outline[(i + 1) % strand.outline.size()];
-      pieces += 1 + std::abs(to.u - from.u) / column_width + std::abs(to.z - from.z) / cut_spacing;
+      pieces += 1 + std::abs(to.u - from.u) / sector_width + std::abs(to.z - from.z) / cut_spacing;
     }
   }
   return pieces;
@@ -400,7 +269,7 @@ double outline_pieces(const Pattern& pattern, const PlaneGrid& grid, std::size_t
 
 Arrangement arrange(std::span<const Pattern> sheets, const PlaneGrid& grid,
                     std::span<const std::int32_t> cuts) {
-  double pieces = static_cast<double>(cuts.size()) * grid.columns;
+  double pieces = static_cast<double>(cuts.size()) * grid.sectors;
   for (const Pattern& pattern : sheets) pieces += outline_pieces(pattern, grid, cuts.size());
   if (!(pieces <= most_pieces)) {
     throw GeometryError("the lattice would need about " +
@@ -410,10 +279,10 @@ Arrangement arrange(std::span<const Pattern> sheets, const PlaneGrid& grid,
   }
   Arrangement plane{.grid = grid,
                     .cuts = {cuts.begin(), cuts.end()},
-                    .columns = std::vector<Column>(grid.columns),
-                    .lines = std::vector<LinePieces>(grid.columns),
+                    .sectors = std::vector<Sector>(grid.sectors),
+                    .lines = std::vector<LinePieces>(grid.sectors),
                     .drawn = drawn_edges(sheets)};
-  Cutter cutter(cuts, plane);
+  OutlineCutter cutter(cuts, plane);
   EdgeOrigin first = 0;
   for (std::size_t sheet = 0; sheet < sheets.size(); ++sheet) {
     for (const Strand& strand : sheets[sheet].strands) {
@@ -421,9 +290,9 @@ Arrangement arrange(std::span<const Pattern> sheets, const PlaneGrid& grid,
       first += static_cast<EdgeOrigin>(strand.outline.size());
     }
   }
-  for (Column& column : plane.columns) {
-    for (const std::int32_t z : cuts) column.push_back({{0, z}, {grid.column_steps, z}, 0, on_cut});
-    merge_equal(column);
+  for (Sector& sector : plane.sectors) {
+    for (const std::int32_t z : cuts) sector.push_back({{0, z}, {grid.sector_steps, z}, 0, on_cut});
+    merge_equal(sector);
   }
   snap_until_clean(plane);
   return plane;

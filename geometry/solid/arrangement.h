@@ -31,7 +31,7 @@ constexpr int winding_of_sheet(std::int64_t winding, int sheet) {
   return static_cast<std::int16_t>(winding & 0xFFFF);
 }
 
-/// A piece of outline inside one column, a < b. Crossing it from its right side to its left side
+/// A piece of outline inside one sector, a < b. Crossing it from its right side to its left side
 /// (for an edge that runs along u: from below to above) changes the winding number by `winding`; a
 /// cut line has winding 0.
 struct ArrangedEdge {
@@ -41,20 +41,20 @@ struct ArrangedEdge {
   EdgeOrigin origin = on_cut;
 };
 
-/// A piece of outline on a line between two columns.
+/// A piece of outline on a line between two sectors.
 struct LinePiece {
   std::int32_t low = 0;  ///< grid steps along z
   std::int32_t high = 0;
   EdgeOrigin origin = on_sector_line;
 };
 
-/// Column by column. Pieces that lie on a column line stand apart: what is inside on either side
-/// of the line follows from the columns themselves.
+/// Sector by sector. Pieces that lie on a sector line stand apart: what is inside on either side
+/// of the line follows from the sectors themselves.
 struct Arrangement {
   PlaneGrid grid;
   std::vector<std::int32_t> cuts;  ///< heights of the cut lines, ascending
-  std::vector<std::vector<ArrangedEdge>> columns;
-  std::vector<std::vector<LinePiece>> lines;  ///< line i is the left one of column i; any order
+  std::vector<std::vector<ArrangedEdge>> sectors;
+  std::vector<std::vector<LinePiece>> lines;  ///< line i is the left one of sector i; any order
   DrawnEdges drawn;                           ///< what the edges' origins count in
 };
 
@@ -64,12 +64,12 @@ struct GeometryError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Rounds the patterns' outlines to the grid, cuts them at every column line and at the heights
+/// Rounds the patterns' outlines to the grid, cuts them at every sector line and at the heights
 /// `cuts` (grid steps, ascending, inside the segment), and at each other.
 ///
-/// Guarantees: no two edges of a column cross or overlap; every grid point that is an end of an
-/// edge lies at least one step from every other edge; a point on a column line is known to both
-/// columns. No edge moves by more than a few grid steps. The winding of each outline is preserved.
+/// Guarantees: no two edges of a sector cross or overlap; every grid point that is an end of an
+/// edge lies at least one step from every other edge; a point on a sector line is known to both
+/// sectors. No edge moves by more than a few grid steps. The winding of each outline is preserved.
 /// Time n log n for strands of bounded crossing; throws GeometryError as described there.
 /// Precondition: one to most_sheets patterns of the grid's circumference and length.
 Arrangement arrange(std::span<const Pattern> sheets, const PlaneGrid& grid,

@@ -39,8 +39,8 @@ const Pattern& LatticeDrawing::outlines(double flatness_mm) {
 const Region& LatticeDrawing::united(double flatness_mm, const PlaneGrid& grid,
                                      std::span<const std::int32_t> cuts, double closing_mm) {
   const UnionKey key{effective_flatness_mm(flatness_mm),
-                     grid.columns,
-                     grid.column_steps,
+                     grid.sectors,
+                     grid.sector_steps,
                      grid.length_steps,
                      grid.u_step_mm,
                      grid.z_step_mm,

@@ -36,7 +36,7 @@ class LatticeDrawing {
                        std::span<const std::int32_t> cuts, double closing_mm);
 
  private:
-  // Flatness, columns, their steps, steps along the segment, the two step lengths, cuts, closing.
+  // Flatness, sectors, their steps, steps along the segment, the two step lengths, cuts, closing.
   using UnionKey = std::tuple<double, int, std::int32_t, std::int32_t, double, double,
                               std::vector<std::int32_t>, double>;
 

@@ -16,7 +16,7 @@ constexpr double on_height_mm = 1e-6;
 PlaneGrid grid_of(const LayeredTube& tube, double tolerance_mm) {
   const double circumference = 2 * std::numbers::pi * tube.drawn_radius_mm;
   const double outer = tube.layers.back().ceiling_mm;
-  return make_plane_grid(circumference, tube.length_mm, columns_for(outer, tolerance_mm),
+  return make_plane_grid(circumference, tube.length_mm, sectors_for(outer, tolerance_mm),
                          finest_step_mm, tube.start_z_mm);
 }
 
@@ -37,7 +37,7 @@ Solid layered_solid(const LayeredTube& tube, double tolerance_mm) {
   Solid solid;
   for (std::size_t i = 0; i < tube.layers.size(); ++i) {
     const RadialLayer& layer = tube.layers[i];
-    relief.radii_mm.push_back(wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
+    relief.radii_mm.push_back(wall_radii(layer.floor_mm, layer.ceiling_mm, grid.sector_angle_rad(),
                                          tube.steepness, tolerance_mm));
     const double per_radius = area_mm2(region, static_cast<int>(i)) / tube.drawn_radius_mm;
     const double both = layer.ceiling_mm + layer.floor_mm;

@@ -15,22 +15,22 @@ constexpr double float_resolution = 0x1p-22;
 
 }  // namespace
 
-double PlaneGrid::column_angle_rad() const {
-  return 2 * std::numbers::pi / columns;
+double PlaneGrid::sector_angle_rad() const {
+  return 2 * std::numbers::pi / sectors;
 }
 
-PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int columns, double step_mm,
+PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int sectors, double step_mm,
                           double start_z_mm) {
   const double u_step = std::max(step_mm, circumference_mm * float_resolution);
   const double farthest_z = std::max(std::abs(start_z_mm), std::abs(start_z_mm + length_mm));
   const double z_step = std::max(step_mm, farthest_z * float_resolution);
-  const double column_width = circumference_mm / columns;
-  const auto steps = std::max<std::uint64_t>(4, std::llround(column_width / u_step));
+  const double sector_width = circumference_mm / sectors;
+  const auto steps = std::max<std::uint64_t>(4, std::llround(sector_width / u_step));
   PlaneGrid grid;
-  grid.columns = columns;
-  grid.column_steps = static_cast<std::int32_t>(std::bit_ceil(steps));
+  grid.sectors = sectors;
+  grid.sector_steps = static_cast<std::int32_t>(std::bit_ceil(steps));
   grid.length_steps = static_cast<std::int32_t>(std::max(4.0, std::round(length_mm / z_step)));
-  grid.u_step_mm = column_width / grid.column_steps;
+  grid.u_step_mm = sector_width / grid.sector_steps;
   grid.z_step_mm = length_mm / grid.length_steps;
   return grid;
 }

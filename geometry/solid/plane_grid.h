@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The integer grid on which the unrolled plane is worked. The tube is a prism of flat columns; the
-// grid has the same whole number of steps in every column, so the seam is a grid line like any
+// The integer grid on which the unrolled plane is worked. The tube is a prism of flat sectors; the
+// grid has the same whole number of steps in every sector, so the seam is a grid line like any
 // other.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace latticast {
 
-/// A grid point seen from one column: 0 <= u <= column_steps counts from the column's left line,
+/// A grid point seen from one sector: 0 <= u <= sector_steps counts from the sector's left line,
 /// 0 <= z <= length_steps from the segment's start. Ordered by u, then z.
 struct GridPoint {
   std::int32_t u = 0;
@@ -19,21 +19,21 @@ struct GridPoint {
 };
 
 struct PlaneGrid {
-  int columns = 0;                ///< flat columns around the tube
-  std::int32_t column_steps = 0;  ///< steps across one column, a power of two
+  int sectors = 0;                ///< flat sectors around the tube
+  std::int32_t sector_steps = 0;  ///< steps across one sector, a power of two
   std::int32_t length_steps = 0;  ///< steps along the segment
   double u_step_mm = 0;           ///< at the radius where the plane is unrolled
   double z_step_mm = 0;
 
-  double column_angle_rad() const;
+  double sector_angle_rad() const;
 };
 
 inline constexpr double finest_step_mm = 2e-5;
 
 /// A grid of at most `step_mm`, coarser where float32 coordinates could not tell two grid points
 /// apart: on long or wide tubes, and in z far along the actuator, `start_z_mm` from its beginning.
-/// Precondition: columns >= 3, sizes positive.
-PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int columns,
+/// Precondition: sectors >= 3, sizes positive.
+PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int sectors,
                           double step_mm = finest_step_mm, double start_z_mm = 0);
 
 /// Twice the signed area of the triangle a, b, c in grid steps; exact. Positive if c lies to the

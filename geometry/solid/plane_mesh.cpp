@@ -26,21 +26,21 @@ using Cells = CGAL::Constrained_Delaunay_triangulation_2<
     Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
     CGAL::No_constraint_intersection_tag>;
 
-// An edge of one column by vertex number, and what of this column is material beside it.
-struct ColumnEdge {
+// An edge of one sector by vertex number, and what of this sector is material beside it.
+struct SectorEdge {
   std::uint32_t from = 0;
   std::uint32_t to = 0;
   Layers left = 0;
   Layers right = 0;
 };
 
-// Numbers the vertices of a region and collects each column's edges.
+// Numbers the vertices of a region and collects each sector's edges.
 class Builder {
  public:
-  explicit Builder(const Region& region) : region_(region), lines_(region.grid.columns) {
+  explicit Builder(const Region& region) : region_(region), lines_(region.grid.sectors) {
     mesh_.grid = region.grid;
     mesh_.drawn = region.drawn;
-    for (int line = 0; line < region.grid.columns; ++line) {
+    for (int line = 0; line < region.grid.sectors; ++line) {
       lines_[line] = line_points(region, line);
       first_on_line_.push_back(static_cast<std::uint32_t>(mesh_.vertices.size()));
       for (const LinePoint& point : lines_[line]) mesh_.vertices.push_back({line, {0, point.z}});
@@ -48,13 +48,13 @@ class Builder {
   }
 
   PlaneMesh run() {
-    for (int line = 0; line < region_.grid.columns; ++line) add_line_outline(line);
-    for (int column = 0; column < region_.grid.columns; ++column) add_column(column);
+    for (int line = 0; line < region_.grid.sectors; ++line) add_line_outline(line);
+    for (int sector = 0; sector < region_.grid.sectors; ++sector) add_sector(sector);
     return std::move(mesh_);
   }
 
  private:
-  // Material on one side only of a stretch of column line: the region ends there.
+  // Material on one side only of a stretch of sector line: the region ends there.
   void add_line_outline(int line) {
     const std::vector<LinePoint>& points = lines_[line];
     for (std::uint32_t i = 0; i + 1 < points.size(); ++i) {
@@ -74,37 +74,37 @@ class Builder {
     mesh_.outline.push_back(edge);
   }
 
-  void add_column(int column) {
-    const std::vector<RegionEdge>& edges = region_.columns[column];
+  void add_sector(int sector) {
+    const std::vector<RegionEdge>& edges = region_.sectors[sector];
     interior_.clear();
     for (const RegionEdge& edge : edges) {
       for (const GridPoint point : {edge.a, edge.b}) {
-        if (point.u != 0 && point.u != region_.grid.column_steps) interior_.push_back(point);
+        if (point.u != 0 && point.u != region_.grid.sector_steps) interior_.push_back(point);
       }
     }
     std::sort(interior_.begin(), interior_.end());
     interior_.erase(std::unique(interior_.begin(), interior_.end()), interior_.end());
     first_interior_ = static_cast<std::uint32_t>(mesh_.vertices.size());
-    for (const GridPoint point : interior_) mesh_.vertices.push_back({column, point});
+    for (const GridPoint point : interior_) mesh_.vertices.push_back({sector, point});
 
-    const std::vector<ColumnEdge> bounds = column_edges(column);
-    if (!bounds.empty()) triangulate_column(column, bounds);
+    const std::vector<SectorEdge> bounds = sector_edges(sector);
+    if (!bounds.empty()) triangulate_sector(sector, bounds);
   }
 
-  std::vector<ColumnEdge> column_edges(int column) {
-    std::vector<ColumnEdge> bounds;
-    for (const RegionEdge& edge : region_.columns[column]) {
-      const std::uint32_t a = index_of(column, edge.a);
-      const std::uint32_t b = index_of(column, edge.b);
+  std::vector<SectorEdge> sector_edges(int sector) {
+    std::vector<SectorEdge> bounds;
+    for (const RegionEdge& edge : region_.sectors[sector]) {
+      const std::uint32_t a = index_of(sector, edge.a);
+      const std::uint32_t b = index_of(sector, edge.b);
       bounds.push_back({a, b, edge.inside_left, edge.inside_right});
       if (edge.is_outline()) {
         add_outline({a, b, edge.inside_left, edge.inside_right, edge.origin});
       }
     }
-    const int next = (column + 1) % region_.grid.columns;
-    for (std::uint32_t i = 0; i + 1 < lines_[column].size(); ++i) {
-      const std::uint32_t low = first_on_line_[column] + i;
-      const Layers inside = lines_[column][i].inside_after;
+    const int next = (sector + 1) % region_.grid.sectors;
+    for (std::uint32_t i = 0; i + 1 < lines_[sector].size(); ++i) {
+      const std::uint32_t low = first_on_line_[sector] + i;
+      const Layers inside = lines_[sector][i].inside_after;
       if (inside != 0) bounds.push_back({low + 1, low, inside, 0});
     }
     for (std::uint32_t i = 0; i + 1 < lines_[next].size(); ++i) {
@@ -115,10 +115,10 @@ class Builder {
     return bounds;
   }
 
-  std::uint32_t index_of(int column, GridPoint point) const {
-    if (point.u == 0) return on_line(column, point.z);
-    if (point.u == region_.grid.column_steps) {
-      return on_line((column + 1) % region_.grid.columns, point.z);
+  std::uint32_t index_of(int sector, GridPoint point) const {
+    if (point.u == 0) return on_line(sector, point.z);
+    if (point.u == region_.grid.sector_steps) {
+      return on_line((sector + 1) % region_.grid.sectors, point.z);
     }
     const auto at = std::lower_bound(interior_.begin(), interior_.end(), point);
     return first_interior_ + static_cast<std::uint32_t>(at - interior_.begin());
@@ -131,27 +131,27 @@ class Builder {
     return first_on_line_[line] + static_cast<std::uint32_t>(at - lines_[line].begin());
   }
 
-  // A region vertex as seen from a column: one on the next line lies at the column's right side.
-  Kernel::Point_2 position(int column, std::uint32_t vertex) const {
+  // A region vertex as seen from a sector: one on the next line lies at the sector's right side.
+  Kernel::Point_2 position(int sector, std::uint32_t vertex) const {
     const PlaneMeshVertex& v = mesh_.vertices[vertex];
     const bool on_left =
-        v.column == column && vertex < first_on_line_[column] + lines_[column].size();
+        v.sector == sector && vertex < first_on_line_[sector] + lines_[sector].size();
     if (on_left || vertex >= first_interior_) {
       return {static_cast<double>(v.point.u), static_cast<double>(v.point.z)};
     }
-    return {static_cast<double>(region_.grid.column_steps), static_cast<double>(v.point.z)};
+    return {static_cast<double>(region_.grid.sector_steps), static_cast<double>(v.point.z)};
   }
 
-  void triangulate_column(int column, const std::vector<ColumnEdge>& bounds) {
+  void triangulate_sector(int sector, const std::vector<SectorEdge>& bounds) {
     numbers_.clear();
-    for (const ColumnEdge& edge : bounds) numbers_.insert(numbers_.end(), {edge.from, edge.to});
+    for (const SectorEdge& edge : bounds) numbers_.insert(numbers_.end(), {edge.from, edge.to});
     std::sort(numbers_.begin(), numbers_.end());
     numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
 
     std::vector<std::pair<Kernel::Point_2, std::uint32_t>> points;
     points.reserve(numbers_.size());
     for (std::uint32_t i = 0; i < numbers_.size(); ++i) {
-      points.emplace_back(position(column, numbers_[i]), i);
+      points.emplace_back(position(sector, numbers_[i]), i);
     }
     Cells cells;
     cells.insert(points.begin(), points.end());
@@ -161,12 +161,12 @@ class Builder {
     const auto handle_of = [&](std::uint32_t vertex) {
       return handles[std::lower_bound(numbers_.begin(), numbers_.end(), vertex) - numbers_.begin()];
     };
-    for (const ColumnEdge& edge : bounds) {
+    for (const SectorEdge& edge : bounds) {
       cells.insert_constraint(handle_of(edge.from), handle_of(edge.to));
     }
     raise_low_triangles(cells);
     for (const auto face : cells.all_face_handles()) face->info() = false;
-    for (const ColumnEdge& edge : bounds) {
+    for (const SectorEdge& edge : bounds) {
       if (edge.left != 0) fill_from(cells, handle_of(edge.from), handle_of(edge.to), edge.left);
       if (edge.right != 0) fill_from(cells, handle_of(edge.to), handle_of(edge.from), edge.right);
     }
@@ -250,7 +250,7 @@ class Builder {
   std::vector<std::vector<LinePoint>> lines_;
   std::vector<std::uint32_t> first_on_line_;
   std::vector<GridPoint> interior_;
-  std::vector<std::uint32_t> numbers_;  // the column's vertices by number, ascending
+  std::vector<std::uint32_t> numbers_;  // the sector's vertices by number, ascending
   std::uint32_t first_interior_ = 0;
 };
 

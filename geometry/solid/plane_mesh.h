@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Triangulation of a planar region, constrained Delaunay (CGAL); no triangle reaches across a
-// column line or a cut height.
+// sector line or a cut height.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 namespace latticast {
 
 struct PlaneMeshVertex {
-  int column = 0;  ///< a vertex on a line belongs to the column on the line's right, with u = 0
+  int sector = 0;  ///< a vertex on a line belongs to the sector on the line's right, with u = 0
   GridPoint point;
 };
 
@@ -28,7 +28,7 @@ struct OutlineEdge {
 };
 
 /// Triangles are counter-clockwise seen from outside the tube. Outline edges run with material on
-/// their left; those of each layer close into loops. Vertices are ordered by line, then by column:
+/// their left; those of each layer close into loops. Vertices are ordered by line, then by sector:
 /// the same for every run and machine.
 struct PlaneMesh {
   PlaneGrid grid;
@@ -39,7 +39,7 @@ struct PlaneMesh {
   DrawnEdges drawn;  ///< what the outline's origins count in
 };
 
-/// Triangulates the inside of a region; constrained Delaunay, column by column (CGAL), with some
+/// Triangulates the inside of a region; constrained Delaunay, sector by sector (CGAL), with some
 /// diagonals flipped where a triangle would be lower than a grid step. Uses exactly the region's
 /// vertices. Time n log n.
 PlaneMesh triangulate(const Region& region);

@@ -16,7 +16,7 @@ constexpr int most_closing_rounds = 16;
 constexpr double farthest_snap = 1.5;  // in steps
 constexpr double usual_snap = 0.5;
 
-// Sweeps one column from left to right (upwards along vertical edges) and finds the winding number
+// Sweeps one sector from left to right (upwards along vertical edges) and finds the winding number
 // on both sides of every edge. Edges meet at their ends only, so the order of the edges that the
 // sweep line meets changes at vertices alone.
 class WindingSweep {
@@ -108,9 +108,9 @@ Region region_of(Arrangement plane, const Filling& filling) {
   region.grid = plane.grid;
   region.lines = std::move(plane.lines);
   region.drawn = std::move(plane.drawn);
-  region.columns.reserve(plane.columns.size());
-  for (const auto& column : plane.columns) {
-    region.columns.push_back(region_edges(column, plane.cuts, filling));
+  region.sectors.reserve(plane.sectors.size());
+  for (const auto& sector : plane.sectors) {
+    region.sectors.push_back(region_edges(sector, plane.cuts, filling));
   }
   return region;
 }
@@ -121,7 +121,7 @@ Layers same_as_sheets(unsigned sheets) {
 }
 
 struct PlaneVertex {
-  int column = 0;  // of a vertex on a line: the column on the line's right
+  int sector = 0;  // of a vertex on a line: the sector on the line's right
   GridPoint point;
   friend bool operator==(const PlaneVertex&, const PlaneVertex&) = default;
 };
@@ -130,22 +130,22 @@ struct PlaneVertexHash {
   std::size_t operator()(const PlaneVertex& v) const {
     const auto low = static_cast<std::uint64_t>(v.point.z) * 0x9E3779B97F4A7C15ULL;
     const auto high =
-        (static_cast<std::uint64_t>(v.column) << 32U) + static_cast<std::uint64_t>(v.point.u);
+        (static_cast<std::uint64_t>(v.sector) << 32U) + static_cast<std::uint64_t>(v.point.u);
     return static_cast<std::size_t>((low ^ high) * 0xD6E8FEB86659FD93ULL >> 7U);
   }
 };
 
-PlaneVertex vertex_of(const PlaneGrid& grid, int column, GridPoint point) {
-  if (point.u == grid.column_steps) return {(column + 1) % grid.columns, {0, point.z}};
-  return {column, point};
+PlaneVertex vertex_of(const PlaneGrid& grid, int sector, GridPoint point) {
+  if (point.u == grid.sector_steps) return {(sector + 1) % grid.sectors, {0, point.z}};
+  return {sector, point};
 }
 
-// Calls visit(vertex, vertex, layers that end there) for every outline edge, those along column
+// Calls visit(vertex, vertex, layers that end there) for every outline edge, those along sector
 // lines included.
 template <class Visit>
 void for_each_outline_edge(const Region& region, Visit&& visit) {
-  for (int c = 0; c < region.grid.columns; ++c) {
-    for (const RegionEdge& edge : region.columns[c]) {
+  for (int c = 0; c < region.grid.sectors; ++c) {
+    for (const RegionEdge& edge : region.sectors[c]) {
       if (!edge.is_outline()) continue;
       visit(vertex_of(region.grid, c, edge.a), vertex_of(region.grid, c, edge.b),
             edge.inside_left ^ edge.inside_right);
@@ -193,14 +193,14 @@ std::vector<PlaneVertex> touching_points(const Region& region) {
     if (any_above_two(degrees)) points.push_back(vertex);
   }
   std::sort(points.begin(), points.end(), [](const PlaneVertex& a, const PlaneVertex& b) {
-    return a.column != b.column ? a.column < b.column : a.point < b.point;
+    return a.sector != b.sector ? a.sector < b.sector : a.point < b.point;
   });
   return points;
 }
 
 Strand diamond(const PlaneGrid& grid, const PlaneVertex& at, double half) {
   const double u =
-      (static_cast<double>(at.column) * grid.column_steps + at.point.u) * grid.u_step_mm;
+      (static_cast<double>(at.sector) * grid.sector_steps + at.point.u) * grid.u_step_mm;
   const double z = at.point.z * grid.z_step_mm;
   const double length = grid.length_steps * grid.z_step_mm;
   return {{{u, std::max(0.0, z - half)},
@@ -250,8 +250,8 @@ Region layered_region(std::span<const Pattern> sheets, const PlaneGrid& grid,
   for (const Pattern& sheet : sheets) region.error += sheet.error;
   if (const std::vector<PlaneVertex> points = touching_points(region); !points.empty()) {
     const PlaneVertex& first = points.front();
-    const double turn = (first.column + static_cast<double>(first.point.u) / grid.column_steps) /
-                        static_cast<double>(grid.columns);
+    const double turn = (first.sector + static_cast<double>(first.point.u) / grid.sector_steps) /
+                        static_cast<double>(grid.sectors);
     throw GeometryError("material touches itself in a point, at " + std::to_string(360 * turn) +
                         " degrees around the tube and z = " +
                         std::to_string(first.point.z * grid.z_step_mm) + " mm");
@@ -260,14 +260,14 @@ Region layered_region(std::span<const Pattern> sheets, const PlaneGrid& grid,
 }
 
 std::vector<LinePoint> line_points(const Region& region, int line) {
-  const int before = (line + region.grid.columns - 1) % region.grid.columns;
+  const int before = (line + region.grid.sectors - 1) % region.grid.sectors;
   std::vector<LinePoint> points;  // first they say which layers' outline edges end here
-  for (const RegionEdge& edge : region.columns[before]) {
-    if (edge.b.u == region.grid.column_steps) {
+  for (const RegionEdge& edge : region.sectors[before]) {
+    if (edge.b.u == region.grid.sector_steps) {
       points.push_back({edge.b.z, edge.inside_left ^ edge.inside_right, 0});
     }
   }
-  for (const RegionEdge& edge : region.columns[line]) {
+  for (const RegionEdge& edge : region.sectors[line]) {
     if (edge.a.u == 0) points.push_back({edge.a.z, 0, edge.inside_left ^ edge.inside_right});
   }
   std::sort(points.begin(), points.end(), [](auto& p, auto& q) { return p.z < q.z; });
@@ -296,8 +296,8 @@ EdgeOrigin origin_on_line(const Region& region, int line, std::int32_t low, std:
 double area_mm2(const Region& region, int layer) {
   const Layers wanted = Layers{1} << layer;
   std::int64_t twice_steps = 0;
-  for (const auto& column : region.columns) {
-    for (const RegionEdge& edge : column) {
+  for (const auto& sector : region.sectors) {
+    for (const RegionEdge& edge : sector) {
       if (((edge.inside_left ^ edge.inside_right) & wanted) == 0) continue;
       const std::int64_t under =
           std::int64_t{edge.b.u - edge.a.u} * (std::int64_t{edge.a.z} + edge.b.z);
@@ -311,8 +311,8 @@ DrawingError region_error(const Region& region, int layer) {
   const PlaneGrid& grid = region.grid;
   const Layers wanted = Layers{1} << layer;
   double snapped = 0;  // area that a displacement by one step takes or adds
-  for (const auto& column : region.columns) {
-    for (const RegionEdge& edge : column) {
+  for (const auto& sector : region.sectors) {
+    for (const RegionEdge& edge : sector) {
       if (((edge.inside_left ^ edge.inside_right) & wanted) == 0) continue;
       const bool on_end = edge.a.z == edge.b.z && (edge.a.z == 0 || edge.a.z == grid.length_steps);
       if (on_end) continue;

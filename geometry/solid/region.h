@@ -18,7 +18,7 @@ namespace latticast {
 /// the union of a pattern's strands has a single one, layer 0.
 using Layers = std::uint32_t;
 
-/// An edge of the region inside one column, a < b. Either its two sides differ (outline) or both
+/// An edge of the region inside one sector, a < b. Either its two sides differ (outline) or both
 /// are inside of the same layers (a cut line across the material).
 struct RegionEdge {
   GridPoint a;
@@ -30,22 +30,22 @@ struct RegionEdge {
   bool is_outline() const { return inside_left != inside_right; }
 };
 
-/// A planar region on the periodic plane, column by column. Guarantees: edges meet at their ends
+/// A planar region on the periodic plane, sector by sector. Guarantees: edges meet at their ends
 /// only; in every layer, an outline vertex has exactly two of the layer's outline edges (no region
 /// touches itself or another in a point).
 struct Region {
   PlaneGrid grid;
-  std::vector<std::vector<RegionEdge>> columns;
+  std::vector<std::vector<RegionEdge>> sectors;
   DrawingError error{};  ///< of the patterns, and of the diamonds that close touching points
-  std::vector<std::vector<LinePiece>> lines{};  ///< pieces of outlines on the column lines
+  std::vector<std::vector<LinePiece>> lines{};  ///< pieces of outlines on the sector lines
   DrawnEdges drawn{};  ///< what origins count in: outlines of the patterns and of the diamonds
 };
 
-/// A vertex on the line between column `line - 1` and column `line`, and whether the stretch of the
+/// A vertex on the line between sector `line - 1` and sector `line`, and whether the stretch of the
 /// line from here up to the next vertex is material seen from either side.
 struct LinePoint {
   std::int32_t z = 0;
-  Layers inside_before = 0;  ///< in the column on the left of the line
+  Layers inside_before = 0;  ///< in the sector on the left of the line
   Layers inside_after = 0;
 };
 
@@ -81,10 +81,10 @@ Region layered_region(std::span<const Pattern> sheets, const PlaneGrid& grid,
 /// does.
 Pattern closed_pattern(Pattern pattern, const PlaneGrid& grid, double closing_mm);
 
-/// The vertices on a column line in ascending z, from both columns. 0 <= line < grid.columns.
+/// The vertices on a sector line in ascending z, from both sectors. 0 <= line < grid.sectors.
 std::vector<LinePoint> line_points(const Region& region, int line);
 
-/// Where the stretch of a column line between two of its points comes from, if material ends there.
+/// Where the stretch of a sector line between two of its points comes from, if material ends there.
 EdgeOrigin origin_on_line(const Region& region, int line, std::int32_t low, std::int32_t high);
 
 /// Area of a layer in mm^2 at the radius where the plane is unrolled; exact on the grid.

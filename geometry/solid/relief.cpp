@@ -13,11 +13,11 @@
 namespace latticast {
 namespace {
 
-constexpr int fewest_columns = 12;
+constexpr int fewest_sectors = 12;
 constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
 
-double corner_factor(double column_angle) {
-  return std::sqrt(column_angle / std::sin(column_angle));
+double corner_factor(double sector_angle) {
+  return std::sqrt(sector_angle / std::sin(sector_angle));
 }
 
 std::uint64_t edge_key(const std::array<std::uint32_t, 3>& triangle, int side) {
@@ -30,9 +30,9 @@ std::uint64_t edge_key(const std::array<std::uint32_t, 3>& triangle, int side) {
 class Wrapper {
  public:
   explicit Wrapper(const Relief& relief) : relief_(relief), grid_(relief.plane.grid) {
-    const double angle = grid_.column_angle_rad();
-    for (int line = 0; line <= grid_.columns; ++line) {
-      const int around = line % grid_.columns;
+    const double angle = grid_.sector_angle_rad();
+    for (int line = 0; line <= grid_.sectors; ++line) {
+      const int around = line % grid_.sectors;
       directions_.push_back({std::cos(around * angle), std::sin(around * angle)});
     }
     for (const std::vector<double>& radii : relief.radii_mm) {
@@ -109,7 +109,7 @@ class Wrapper {
   bool is_flat(std::uint32_t from, std::uint32_t to) const {
     const PlaneMeshVertex& a = relief_.plane.vertices[from];
     const PlaneMeshVertex& b = relief_.plane.vertices[to];
-    return a.point.z == b.point.z || (a.column == b.column && a.point.u == b.point.u);
+    return a.point.z == b.point.z || (a.sector == b.sector && a.point.u == b.point.u);
   }
 
   std::uint32_t add_middle(const std::array<std::uint32_t, 4>& corners) {
@@ -137,11 +137,11 @@ class Wrapper {
     return relief_.plane.vertices[plane_vertex].point.z;
   }
 
-  // On the chord between the column's two corner lines.
+  // On the chord between the sector's two corner lines.
   Point position(const PlaneMeshVertex& v, double radius) const {
-    const double part = static_cast<double>(v.point.u) / grid_.column_steps;
-    const auto& left = directions_[v.column];
-    const auto& right = directions_[v.column + 1];
+    const double part = static_cast<double>(v.point.u) / grid_.sector_steps;
+    const auto& left = directions_[v.sector];
+    const auto& right = directions_[v.sector + 1];
     return {radius * std::lerp(left[0], right[0], part),
             radius * std::lerp(left[1], right[1], part),
             relief_.start_z_mm + v.point.z * grid_.z_step_mm};
@@ -150,7 +150,7 @@ class Wrapper {
   const Relief& relief_;
   const PlaneGrid& grid_;
   std::vector<std::array<double, 2>>
-      directions_;                        // of the column lines; the last is the first again
+      directions_;                        // of the sector lines; the last is the first again
   std::vector<double> corner_radii_;      // of all levels
   std::vector<std::size_t> first_level_;  // of each layer, and the last level of all
   std::vector<std::uint32_t> vertex_at_;  // mesh vertex of (plane vertex, level)
@@ -236,29 +236,29 @@ TriangleMesh wrap(const Relief& relief) {
   return Wrapper(relief).run();
 }
 
-double chord_error_mm(double radius_mm, double column_angle_rad) {
-  const double factor = corner_factor(column_angle_rad);
-  return radius_mm * std::max(factor - 1, 1 - factor * std::cos(0.5 * column_angle_rad));
+double chord_error_mm(double radius_mm, double sector_angle_rad) {
+  const double factor = corner_factor(sector_angle_rad);
+  return radius_mm * std::max(factor - 1, 1 - factor * std::cos(0.5 * sector_angle_rad));
 }
 
-double wall_error_mm(double depth_mm, double column_angle_rad, double steepness) {
+double wall_error_mm(double depth_mm, double sector_angle_rad, double steepness) {
   // A wall's middle vertex leaves the ruled surface by 1/16 of the difference between its outer and
-  // inner edge, which is the column's angle times the wall's depth; square to the wall, times
+  // inner edge, which is the sector's angle times the wall's depth; square to the wall, times
   // steepness.
-  return column_angle_rad * depth_mm * steepness / 16;
+  return sector_angle_rad * depth_mm * steepness / 16;
 }
 
-int columns_for(double radius_mm, double tolerance_mm) {
-  // factor - 1 = D^2/12 + O(D^4), so this first guess is at most a few columns off.
+int sectors_for(double radius_mm, double tolerance_mm) {
+  // factor - 1 = D^2/12 + O(D^4), so this first guess is at most a few sectors off.
   const double angle = std::sqrt(12 * tolerance_mm / radius_mm);
-  int columns = std::max(fewest_columns, static_cast<int>(2 * std::numbers::pi / angle));
-  while (chord_error_mm(radius_mm, 2 * std::numbers::pi / columns) > tolerance_mm) ++columns;
-  return columns;
+  int sectors = std::max(fewest_sectors, static_cast<int>(2 * std::numbers::pi / angle));
+  while (chord_error_mm(radius_mm, 2 * std::numbers::pi / sectors) > tolerance_mm) ++sectors;
+  return sectors;
 }
 
-std::vector<double> wall_radii(double floor_mm, double ceiling_mm, double column_angle_rad,
+std::vector<double> wall_radii(double floor_mm, double ceiling_mm, double sector_angle_rad,
                                double steepness, double tolerance_mm) {
-  const double off = wall_error_mm(ceiling_mm - floor_mm, column_angle_rad, steepness);
+  const double off = wall_error_mm(ceiling_mm - floor_mm, sector_angle_rad, steepness);
   const int layers = std::max(1, static_cast<int>(std::ceil(off / tolerance_mm - 1e-9)));
   std::vector<double> radii(layers + 1);
   for (int i = 0; i <= layers; ++i) radii[i] = std::lerp(floor_mm, ceiling_mm, double(i) / layers);

@@ -10,16 +10,16 @@ namespace latticast {
 namespace {
 
 // Equal steps along a chord are not equal angles: tan(x) = s tan(h) against x = s h, with h half of
-// the column's angle, differ most at s = 1/sqrt(3), by 2 h^3 / (9 sqrt(3)).
-double angle_shift(double column_angle) {
-  const double half = 0.5 * column_angle;
+// the sector's angle, differ most at s = 1/sqrt(3), by 2 h^3 / (9 sqrt(3)).
+double angle_shift(double sector_angle) {
+  const double half = 0.5 * sector_angle;
   return 2 * half * half * half / (9 * std::sqrt(3.0));
 }
 
-// Walls along rings are drawn on the column's chords like everything else; others stand at angles.
+// Walls along rings are drawn on the sector's chords like everything else; others stand at angles.
 bool has_standing_walls(const Region& region) {
-  return std::any_of(region.columns.begin(), region.columns.end(), [](const auto& column) {
-    return std::any_of(column.begin(), column.end(), [](const RegionEdge& edge) {
+  return std::any_of(region.sectors.begin(), region.sectors.end(), [](const auto& sector) {
+    return std::any_of(sector.begin(), sector.end(), [](const RegionEdge& edge) {
       return edge.is_outline() && edge.a.z != edge.b.z;
     });
   });
@@ -37,7 +37,7 @@ double deepest_level(const std::vector<double>& radii) {
 
 SolidError solid_error(const Region& region, const std::vector<std::vector<double>>& radii_mm,
                        double drawn_radius_mm, double steepness) {
-  const double angle = region.grid.column_angle_rad();
+  const double angle = region.grid.sector_angle_rad();
   const double shift = has_standing_walls(region) ? angle_shift(angle) : 0;
   SolidError error;
   for (std::size_t layer = 0; layer < radii_mm.size(); ++layer) {

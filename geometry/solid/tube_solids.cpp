@@ -20,7 +20,7 @@ namespace {
 constexpr double most_triangles = 20e6;
 constexpr double fewest_steps_across = 16;
 constexpr double curve_share = 0.5;    // of the tolerance, for the chords of arcs and fillets
-constexpr double column_share = 0.85;  // for columns then: at rims both count, square to each other
+constexpr double sector_share = 0.85;  // for sectors then: at rims both count, square to each other
 constexpr double coarser = 4;          // grid steps where arcs graze other outlines
 constexpr double coarsest_step_share = 0.05;  // of the tolerance
 
@@ -41,29 +41,29 @@ struct Layer {
 // How finely a solid must be cut so that it stays within the tolerance, now and when it is
 // deformed.
 struct Cutting {
-  int columns = 0;
+  int sectors = 0;
   std::vector<std::int32_t> heights;
 };
 
 // An edge of a twisted mesh turns by its own angle around the tube plus the twist over its height,
 // and no longer has corners pushed outwards: half of the permitted angle (sagitta r D^2/8) goes to
 // each.
-int columns_of(const Segment& segment, const SolidOptions& options, bool has_arcs) {
+int sectors_of(const Segment& segment, const SolidOptions& options, bool has_arcs) {
   const double radius = segment.outer_radius_mm();
-  int columns = columns_for(radius, (has_arcs ? column_share : 1) * options.tolerance_mm);
+  int sectors = sectors_for(radius, (has_arcs ? sector_share : 1) * options.tolerance_mm);
   if (options.twist_rad_per_mm != 0 || options.stretch_radius != 1) {
     const double grown = radius * std::max(1.0, options.stretch_radius);
     const double share = options.twist_rad_per_mm != 0 ? 0.5 : 1.0;
     const double angle = share * std::sqrt(8 * options.tolerance_mm / grown);
-    columns = std::max(columns, static_cast<int>(std::ceil(2 * std::numbers::pi / angle)));
+    sectors = std::max(sectors, static_cast<int>(std::ceil(2 * std::numbers::pi / angle)));
   }
-  return columns;
+  return sectors;
 }
 
 Cutting cutting(const Segment& segment, const SolidOptions& options, const PlaneGrid& grid) {
-  Cutting cut{grid.columns, {}};
+  Cutting cut{grid.sectors, {}};
   const double turn = std::abs(options.twist_rad_per_mm) * segment.length_mm;
-  const double bands = std::ceil(turn / grid.column_angle_rad());
+  const double bands = std::ceil(turn / grid.sector_angle_rad());
   if (bands > grid.length_steps / 16.0) {
     throw GeometryError("the preview twists so far that it would need " + std::to_string(bands) +
                         " cuts along the tube; use a coarser tolerance");
@@ -151,14 +151,14 @@ struct Fineness {
 LaidOut lay_out(const Segment& segment, const SolidOptions& options, const Layer& layer,
                 const Fineness& fineness) {
   const PlaneGrid grid = make_plane_grid(layer.circumference_mm, segment.length_mm,
-                                         columns_of(segment, options, layer.has_arcs),
+                                         sectors_of(segment, options, layer.has_arcs),
                                          fineness.step_mm, options.start_z_mm);
   check_widths(layer, grid);
   const Cutting cut = cutting(segment, options, grid);
   Region region = layer.united(grid, cut.heights);
   const double tolerance = layer.wall_tolerance_mm / fineness.levels;
   Relief relief{triangulate(region),
-                {wall_radii(layer.floor_mm, layer.ceiling_mm, grid.column_angle_rad(),
+                {wall_radii(layer.floor_mm, layer.ceiling_mm, grid.sector_angle_rad(),
                             layer.steepness, tolerance)},
                 options.start_z_mm};
   check_size(relief);
@@ -184,12 +184,12 @@ LaidOut lay_out_clear(const Segment& segment, const SolidOptions& options, const
 
 // Of the outline, at the radius where the plane is unrolled.
 double outline_length_mm(const PlaneMesh& plane) {
-  const double around = static_cast<double>(plane.grid.columns) * plane.grid.column_steps;
+  const double around = static_cast<double>(plane.grid.sectors) * plane.grid.sector_steps;
   double length = 0;
   for (const OutlineEdge& edge : plane.outline) {
     const PlaneMeshVertex& from = plane.vertices[edge.from];
     const PlaneMeshVertex& to = plane.vertices[edge.to];
-    const double u = static_cast<double>(to.column - from.column) * plane.grid.column_steps +
+    const double u = static_cast<double>(to.sector - from.sector) * plane.grid.sector_steps +
                      to.point.u - from.point.u;
     const double z = to.point.z - from.point.z;
     length +=
@@ -242,7 +242,7 @@ Solid lattice_solid(LatticeDrawing& drawing, const SolidOptions& options) {
               thinnest_strand_mm(lattice),
               has_arcs(lattice)};
   if (options.twist_rad_per_mm != 0 && !lattice.grids.empty()) {
-    // Along a cut's height walls turn as much again as around a column. Flat ones, halved by a
+    // Along a cut's height walls turn as much again as around a sector. Flat ones, halved by a
     // diagonal, then leave their surface by 1/4 of that in place of 1/16.
     layer.steepness = 1;
     layer.wall_tolerance_mm /= 4;

@@ -224,8 +224,8 @@ class Writer {
       coarsest = std::min(coarsest, 0.9 * draft.thinnest);
       const double radius = draft.inner_radius + draft.liner_thickness + draft.lattice_thickness;
       const double turns = draft.outlines_around + 0.2 * draft.outline_count + 2;
-      const double columns = most_outline_pieces / static_cast<double>(drafts.size()) / turns;
-      const double angle = 2 * std::numbers::pi / columns;
+      const double sectors = most_outline_pieces / static_cast<double>(drafts.size()) / turns;
+      const double angle = 2 * std::numbers::pi / sectors;
       needed = std::max(needed, radius * angle * angle / 12);
     }
     const double wanted = drafts.front().inner_radius * random_.log_between(2e-4, 2e-2);

@@ -99,7 +99,7 @@ void add_preview_parts(const Design& design, std::vector<Expected>& parts) {
   PreparedResponses responses(design);
   const std::vector<PreviewShape> shapes = predict_preview(responses);
   for (std::size_t s = 0; s < design.segments.size(); ++s) {
-    // Finer columns may open a gap of a grid step that coarser ones closed.
+    // Finer sectors may open a gap of a grid step that coarser ones closed.
     const Solid lattice = lattice_solid(
         design.segments[s], preview_options(design, s, start_of_segment(design, s), shapes));
     for (const PreviewShape& shape : shapes) {

@@ -81,7 +81,7 @@ std::string text_of(const Pattern& pattern) {
 }
 
 std::string text_of(const PlaneGrid& grid) {
-  return (Text() << grid.columns << grid.column_steps << grid.length_steps << grid.u_step_mm
+  return (Text() << grid.sectors << grid.sector_steps << grid.length_steps << grid.u_step_mm
                  << grid.z_step_mm)
       .str();
 }

@@ -68,7 +68,7 @@ TEST(LatticeMold, IsSoundInAnyNumberOfPieces) {
 double area_of(const Shell& shell, std::vector<Strand> strands) {
   const Pattern drawn{shell.lattice.circumference_mm, shell.lattice.length_mm, std::move(strands)};
   const PlaneGrid grid = make_plane_grid(drawn.circumference_mm, drawn.length_mm,
-                                         columns_for(shell.outer_radius_mm, 0.01));
+                                         sectors_for(shell.outer_radius_mm, 0.01));
   return area_mm2(unite(drawn, grid, {}, 0.01));
 }
 

@@ -61,17 +61,17 @@ std::string text(const ArrangedEdge& e) {
   return text(e.a) + " - " + text(e.b);
 }
 
-// All ends that concern a column: its own, and its neighbours' on the lines that it shares with
+// All ends that concern a sector: its own, and its neighbours' on the lines that it shares with
 // them.
-std::set<GridPoint> ends_in_column(const Arrangement& plane, int c) {
-  const int count = plane.grid.columns;
-  const std::int32_t width = plane.grid.column_steps;
+std::set<GridPoint> ends_in_sector(const Arrangement& plane, int c) {
+  const int count = plane.grid.sectors;
+  const std::int32_t width = plane.grid.sector_steps;
   std::set<GridPoint> ends;
-  for (const ArrangedEdge& edge : plane.columns[c]) ends.insert({edge.a, edge.b});
-  for (const ArrangedEdge& edge : plane.columns[(c + count - 1) % count]) {
+  for (const ArrangedEdge& edge : plane.sectors[c]) ends.insert({edge.a, edge.b});
+  for (const ArrangedEdge& edge : plane.sectors[(c + count - 1) % count]) {
     if (edge.b.u == width) ends.insert({0, edge.b.z});
   }
-  for (const ArrangedEdge& edge : plane.columns[(c + 1) % count]) {
+  for (const ArrangedEdge& edge : plane.sectors[(c + 1) % count]) {
     if (edge.a.u == 0) ends.insert({width, edge.a.z});
   }
   return ends;
@@ -81,10 +81,10 @@ void expect_clean_edges(const Arrangement& plane, const std::vector<ArrangedEdge
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const ArrangedEdge& e = edges[i];
     ASSERT_LT(e.a, e.b);
-    ASSERT_TRUE(e.a.u >= 0 && e.b.u <= plane.grid.column_steps) << text(e);
+    ASSERT_TRUE(e.a.u >= 0 && e.b.u <= plane.grid.sector_steps) << text(e);
     ASSERT_TRUE(std::min(e.a.z, e.b.z) >= 0 && std::max(e.a.z, e.b.z) <= plane.grid.length_steps)
         << text(e);
-    const bool on_line = e.a.u == e.b.u && (e.a.u == 0 || e.a.u == plane.grid.column_steps);
+    const bool on_line = e.a.u == e.b.u && (e.a.u == 0 || e.a.u == plane.grid.sector_steps);
     ASSERT_FALSE(on_line) << text(e);
     for (std::size_t j = 0; j < i; ++j) {
       const ArrangedEdge& f = edges[j];
@@ -96,12 +96,12 @@ void expect_clean_edges(const Arrangement& plane, const std::vector<ArrangedEdge
 }
 
 void expect_clean(const Arrangement& plane) {
-  ASSERT_EQ(plane.columns.size(), static_cast<std::size_t>(plane.grid.columns));
-  for (int c = 0; c < plane.grid.columns; ++c) {
-    SCOPED_TRACE("column " + std::to_string(c));
-    const auto& edges = plane.columns[c];
+  ASSERT_EQ(plane.sectors.size(), static_cast<std::size_t>(plane.grid.sectors));
+  for (int c = 0; c < plane.grid.sectors; ++c) {
+    SCOPED_TRACE("sector " + std::to_string(c));
+    const auto& edges = plane.sectors[c];
     ASSERT_NO_FATAL_FAILURE(expect_clean_edges(plane, edges));
-    const std::set<GridPoint> ends = ends_in_column(plane, c);
+    const std::set<GridPoint> ends = ends_in_sector(plane, c);
     for (const ArrangedEdge& edge : edges) {
       for (auto p = ends.lower_bound({edge.a.u - 1, INT32_MIN});
            p != ends.end() && p->u <= edge.b.u + 1; ++p) {
@@ -117,7 +117,7 @@ double farthest_from_outlines(const Arrangement& plane, const Pattern& pattern) 
     double u, z, du, dz;
   };
   std::vector<Side> sides;
-  const double period = static_cast<double>(plane.grid.columns) * plane.grid.column_steps;
+  const double period = static_cast<double>(plane.grid.sectors) * plane.grid.sector_steps;
   for (const Strand& strand : pattern.strands) {
     for (std::size_t i = 0; i < strand.outline.size(); ++i) {
       const PlanePoint& a = strand.outline[i];
@@ -135,9 +135,9 @@ double farthest_from_outlines(const Arrangement& plane, const Pattern& pattern) 
     return off_u * off_u + off_z * off_z;
   };
   double farthest = 0;
-  for (int c = 0; c < plane.grid.columns; ++c) {
-    for (const ArrangedEdge& edge : plane.columns[c]) {
-      const double u = edge.a.u + static_cast<double>(c) * plane.grid.column_steps;
+  for (int c = 0; c < plane.grid.sectors; ++c) {
+    for (const ArrangedEdge& edge : plane.sectors[c]) {
+      const double u = edge.a.u + static_cast<double>(c) * plane.grid.sector_steps;
       double nearest = HUGE_VAL;
       for (const Side& side : sides) {
         const double low = std::min(side.u, side.u + side.du) - 100;
@@ -164,7 +164,7 @@ TEST(Arrangement, OfRandomPatternsMeetsAtGridPointsOnly) {
     const double moved = farthest_from_outlines(arranged, plane.pattern);
     EXPECT_LT(moved, 4) << "steps";
     farthest = std::max(farthest, moved);
-    for (const auto& column : arranged.columns) edges += column.size();
+    for (const auto& sector : arranged.sectors) edges += sector.size();
   }
   std::printf("seeds from %llu: %zu edges, none moved by more than %.3f steps\n",
               static_cast<unsigned long long>(seed), edges, farthest);
@@ -180,21 +180,21 @@ TEST(Arrangement, WithCutHeightsKeepsTheCutsLevel) {
     const Arrangement arranged = arrange(plane.pattern, plane.grid, cuts);
     ASSERT_NO_FATAL_FAILURE(expect_clean(arranged));
     EXPECT_EQ(arranged.cuts, cuts);
-    for (const auto& column : arranged.columns) {
+    for (const auto& sector : arranged.sectors) {
       for (const std::int32_t cut : cuts) {
         std::int32_t covered = 0;
-        for (const ArrangedEdge& edge : column) {
+        for (const ArrangedEdge& edge : sector) {
           const auto [low, high] = std::minmax(edge.a.z, edge.b.z);
           EXPECT_FALSE(low < cut && cut < high) << text(edge) << " passes the cut at " << cut;
           if (low == cut && high == cut) covered += edge.b.u - edge.a.u;
         }
-        EXPECT_EQ(covered, plane.grid.column_steps) << "the cut at " << cut << " has gaps";
+        EXPECT_EQ(covered, plane.grid.sector_steps) << "the cut at " << cut << " has gaps";
       }
     }
   }
 }
 
-TEST(Arrangement, CutsJustAboveAColumnLineLeaveNoEdgeOnTheLine) {
+TEST(Arrangement, CutsJustAboveASectorLineLeaveNoEdgeOnTheLine) {
   // The outline leaves the line so steeply that the cut's point on it rounds back onto the line.
   const Pattern pattern = on_square_grid({{{1024, 0}, {2500, 0}, {2503, 1024}, {1027, 1024}}});
   const std::vector<std::int32_t> cuts{100};
@@ -210,12 +210,12 @@ TEST(Arrangement, OfTheSameFamilyTwiceAddsItsWindings) {
   const Arrangement single = arrange(once, grid);
   const Arrangement both = arrange(twice, grid);
   ASSERT_NO_FATAL_FAILURE(expect_clean(both));
-  for (int c = 0; c < grid.columns; ++c) {
-    ASSERT_EQ(both.columns[c].size(), single.columns[c].size());
-    for (std::size_t i = 0; i < both.columns[c].size(); ++i) {
-      EXPECT_EQ(both.columns[c][i].a, single.columns[c][i].a);
-      EXPECT_EQ(both.columns[c][i].b, single.columns[c][i].b);
-      EXPECT_EQ(both.columns[c][i].winding, 2 * single.columns[c][i].winding);
+  for (int c = 0; c < grid.sectors; ++c) {
+    ASSERT_EQ(both.sectors[c].size(), single.sectors[c].size());
+    for (std::size_t i = 0; i < both.sectors[c].size(); ++i) {
+      EXPECT_EQ(both.sectors[c][i].a, single.sectors[c][i].a);
+      EXPECT_EQ(both.sectors[c][i].b, single.sectors[c][i].b);
+      EXPECT_EQ(both.sectors[c][i].winding, 2 * single.sectors[c][i].winding);
     }
   }
 }
@@ -250,7 +250,7 @@ TEST(Arrangement, DoesNotDragEdgesAlongTheGrid) {
       {56.10407753, std::vector<double>(4, 4.085531037), StraightPath{}}};
   const Pattern pattern = draw_lattice(segment, 0.005);
   const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, pattern.length_mm,
-                                         columns_for(segment.outer_radius_mm(), 0.007415178236));
+                                         sectors_for(segment.outer_radius_mm(), 0.007415178236));
   const Arrangement arranged = arrange(pattern, grid);
   ASSERT_NO_FATAL_FAILURE(expect_clean(arranged));
   EXPECT_LT(farthest_from_outlines(arranged, pattern), 4);

@@ -46,16 +46,16 @@ struct PlaneEdge {
   EdgeOrigin origin = on_sector_line;
 };
 
-PlanePoint in_mm(const PlaneGrid& grid, int column, GridPoint p) {
-  return {(static_cast<double>(column) * grid.column_steps + p.u) * grid.u_step_mm,
+PlanePoint in_mm(const PlaneGrid& grid, int sector, GridPoint p) {
+  return {(static_cast<double>(sector) * grid.sector_steps + p.u) * grid.u_step_mm,
           p.z * grid.z_step_mm};
 }
 
-// The region's outline, and what it holds of column lines and of cuts.
+// The region's outline, and what it holds of sector lines and of cuts.
 std::vector<PlaneEdge> outline_of(const Region& region) {
   std::vector<PlaneEdge> edges;
-  for (int c = 0; c < region.grid.columns; ++c) {
-    for (const RegionEdge& edge : region.columns[c]) {
+  for (int c = 0; c < region.grid.sectors; ++c) {
+    for (const RegionEdge& edge : region.sectors[c]) {
       if (!edge.is_outline()) continue;
       edges.push_back({in_mm(region.grid, c, edge.a), in_mm(region.grid, c, edge.b), edge.origin});
     }
@@ -75,8 +75,8 @@ std::vector<PlaneEdge> outline_of(const PlaneMesh& mesh) {
   for (const OutlineEdge& edge : mesh.outline) {
     const PlaneMeshVertex& from = mesh.vertices[edge.from];
     const PlaneMeshVertex& to = mesh.vertices[edge.to];
-    PlanePoint a = in_mm(mesh.grid, from.column, from.point);
-    PlanePoint b = in_mm(mesh.grid, to.column, to.point);
+    PlanePoint a = in_mm(mesh.grid, from.sector, from.point);
+    PlanePoint b = in_mm(mesh.grid, to.sector, to.point);
     const double around = mesh.drawn.circumference_mm;
     b.u += around * std::round((a.u - b.u) / around);
     edges.push_back({a, b, edge.origin});

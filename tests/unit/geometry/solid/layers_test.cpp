@@ -112,7 +112,7 @@ TEST(Layers, OfASingleSheetAreTheUnion) {
 TEST(Layers, ReachTheAxis) {
   // A rod of radius 5 and length 30 with a collar of radius 8 in its middle.
   const double around = 2 * std::numbers::pi * 5;
-  const PlaneGrid grid = make_plane_grid(around, 30, columns_for(8, 0.01));
+  const PlaneGrid grid = make_plane_grid(around, 30, sectors_for(8, 0.01));
   const Pattern collar{around, 30, {rectangle(0, around, 10, 20)}};
   const Pattern sheets[] = {draw_sleeve(5, 30), collar};
   const Region region = layered_region(sheets, grid, {}, [](unsigned s) { return s; });

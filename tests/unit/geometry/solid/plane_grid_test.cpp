@@ -10,16 +10,16 @@
 namespace latticast {
 namespace {
 
-TEST(PlaneGrid, StepsFillTheColumnsAndTheLengthExactly) {
+TEST(PlaneGrid, StepsFillTheSectorsAndTheLengthExactly) {
   for (const double circumference : {0.01, 1.0, 106.8, 5000.0, 6e5}) {
-    for (const int columns : {3, 12, 79, 5000}) {
-      SCOPED_TRACE(testing::Message() << circumference << " mm, " << columns << " columns");
-      const PlaneGrid grid = make_plane_grid(circumference, 85, columns);
-      EXPECT_TRUE(std::has_single_bit(static_cast<std::uint32_t>(grid.column_steps)));
-      EXPECT_NEAR(grid.u_step_mm * grid.column_steps * columns, circumference,
+    for (const int sectors : {3, 12, 79, 5000}) {
+      SCOPED_TRACE(testing::Message() << circumference << " mm, " << sectors << " sectors");
+      const PlaneGrid grid = make_plane_grid(circumference, 85, sectors);
+      EXPECT_TRUE(std::has_single_bit(static_cast<std::uint32_t>(grid.sector_steps)));
+      EXPECT_NEAR(grid.u_step_mm * grid.sector_steps * sectors, circumference,
                   1e-12 * circumference);
       EXPECT_NEAR(grid.z_step_mm * grid.length_steps, 85, 1e-12 * 85);
-      EXPECT_DOUBLE_EQ(grid.column_angle_rad(), 2 * std::numbers::pi / columns);
+      EXPECT_DOUBLE_EQ(grid.sector_angle_rad(), 2 * std::numbers::pi / sectors);
     }
   }
 }

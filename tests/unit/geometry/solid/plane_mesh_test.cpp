@@ -14,40 +14,40 @@
 namespace latticast {
 namespace {
 
-// The column of a triangle: that of a vertex inside it, or the one between the two lines that its
+// The sector of a triangle: that of a vertex inside it, or the one between the two lines that its
 // corners lie on.
-int column_of(const PlaneMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+int sector_of(const PlaneMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
   std::set<int> lines;
   for (const std::uint32_t v : triangle) {
-    if (mesh.vertices[v].point.u > 0) return mesh.vertices[v].column;
-    lines.insert(mesh.vertices[v].column);
+    if (mesh.vertices[v].point.u > 0) return mesh.vertices[v].sector;
+    lines.insert(mesh.vertices[v].sector);
   }
-  if (*lines.rbegin() == mesh.grid.columns - 1 && *lines.begin() == 0) return *lines.rbegin();
+  if (*lines.rbegin() == mesh.grid.sectors - 1 && *lines.begin() == 0) return *lines.rbegin();
   return *lines.begin();
 }
 
-// Corners as seen from the triangle's column. Fails for a triangle that reaches into another one.
+// Corners as seen from the triangle's sector. Fails for a triangle that reaches into another one.
 std::array<GridPoint, 3> corners(const PlaneMesh& mesh,
                                  const std::array<std::uint32_t, 3>& triangle) {
-  const int column = column_of(mesh, triangle);
+  const int sector = sector_of(mesh, triangle);
   std::array<GridPoint, 3> points;
   for (int i = 0; i < 3; ++i) {
     const PlaneMeshVertex& v = mesh.vertices[triangle[i]];
     points[i] = v.point;
-    if (v.column == column) continue;
-    EXPECT_EQ(v.column, (column + 1) % mesh.grid.columns) << "a triangle reaches across a line";
+    if (v.sector == sector) continue;
+    EXPECT_EQ(v.sector, (sector + 1) % mesh.grid.sectors) << "a triangle reaches across a line";
     EXPECT_EQ(v.point.u, 0) << "a triangle reaches across a line";
-    points[i].u = mesh.grid.column_steps;
+    points[i].u = mesh.grid.sector_steps;
   }
   return points;
 }
 
-// Twice the region's area in steps, by Green's theorem over its outline; edges along column lines
+// Twice the region's area in steps, by Green's theorem over its outline; edges along sector lines
 // add nothing.
 std::int64_t twice_area(const Region& region) {
   std::int64_t sum = 0;
-  for (const auto& column : region.columns) {
-    for (const RegionEdge& edge : column) {
+  for (const auto& sector : region.sectors) {
+    for (const RegionEdge& edge : sector) {
       if (!edge.is_outline()) continue;
       const GridPoint from = edge.inside_left ? edge.a : edge.b;
       const GridPoint to = edge.inside_left ? edge.b : edge.a;
@@ -137,9 +137,9 @@ double lowest_triangle(const PlaneMesh& mesh) {
   return lowest;
 }
 
-double lowest_triangle(const Segment& segment, int columns) {
+double lowest_triangle(const Segment& segment, int sectors) {
   const Pattern pattern = draw_lattice(segment, 0.005);
-  const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, pattern.length_mm, columns);
+  const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, pattern.length_mm, sectors);
   return lowest_triangle(triangulate(unite(pattern, grid, {}, 0.01)));
 }
 

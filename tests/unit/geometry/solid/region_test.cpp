@@ -27,7 +27,7 @@ void expect_two_edges_at_every_vertex(const Region& region) {
     ++degree[b];
   }
   for (const auto& [vertex, count] : degree) {
-    ASSERT_EQ(count, 2) << "column " << vertex.first << ", u " << vertex.second.u << ", z "
+    ASSERT_EQ(count, 2) << "sector " << vertex.first << ", u " << vertex.second.u << ", z "
                         << vertex.second.z;
   }
 }
@@ -54,7 +54,7 @@ TEST(Region, OverTheSeamIsWhole) {
   expect_shape({rectangle(-500, 100, 1000, 50)}, 1, 1, square_area(1000 * 50), 1e-12);
 }
 
-TEST(Region, OfRectanglesOnColumnLinesIsWhole) {
+TEST(Region, OfRectanglesOnSectorLinesIsWhole) {
   expect_shape({rectangle(1024, 100, 1024, 50), rectangle(2048, 100, 1024, 50)}, 1, 1,
                square_area(2048 * 50), 1e-12);
 }
@@ -117,8 +117,8 @@ std::vector<Touch> touches() {
                                     rectangle(u, z, 100, 100)};
   };
   return {
-      {"inside a column", corner_pair(500, 500), 1, 1},
-      {"on a column line", corner_pair(1024, 500), 1, 1},
+      {"inside a sector", corner_pair(500, 500), 1, 1},
+      {"on a sector line", corner_pair(1024, 500), 1, 1},
       {"on the seam", corner_pair(0, 500), 1, 1},
       {"on the seam, one turn on", corner_pair(4096, 500), 1, 1},
       {"at z = 0", {{{300, 0}, {500, 0}, {300, 200}}, {{500, 0}, {700, 0}, {700, 200}}}, 1, 1},
@@ -237,11 +237,11 @@ TEST(Region, LinePointsSayWhatIsMaterialOnEitherSide) {
 }
 
 // The same pattern with every corner on a grid point, so that moving it by whole steps is exact.
-Pattern moved_by_columns(const Pattern& pattern, const PlaneGrid& grid, int columns) {
+Pattern moved_by_sectors(const Pattern& pattern, const PlaneGrid& grid, int sectors) {
   Pattern moved = pattern;
   for (Strand& strand : moved.strands) {
     for (PlanePoint& p : strand.outline) {
-      const double steps = std::round(p.u / grid.u_step_mm) + double(columns) * grid.column_steps;
+      const double steps = std::round(p.u / grid.u_step_mm) + double(sectors) * grid.sector_steps;
       p.u = steps * grid.u_step_mm;
     }
   }
@@ -258,19 +258,19 @@ void expect_same(const std::vector<RegionEdge>& a, const std::vector<RegionEdge>
   }
 }
 
-TEST(Region, TurnsWithItsPatternByWholeColumns) {
+TEST(Region, TurnsWithItsPatternByWholeSectors) {
   constexpr std::uint64_t seed = 9001;
   for (std::uint64_t i = 0; i < 60; ++i) {
     SCOPED_TRACE("seed " + std::to_string(seed + i));
     const RandomPlane plane = random_plane(seed + i);
-    const int count = plane.grid.columns;
+    const int count = plane.grid.sectors;
     const int shift = 1 + static_cast<int>(i) % (3 * count);
-    const Region here = unite(moved_by_columns(plane.pattern, plane.grid, 0), plane.grid, {}, 0.01);
+    const Region here = unite(moved_by_sectors(plane.pattern, plane.grid, 0), plane.grid, {}, 0.01);
     const Region there =
-        unite(moved_by_columns(plane.pattern, plane.grid, shift), plane.grid, {}, 0.01);
+        unite(moved_by_sectors(plane.pattern, plane.grid, shift), plane.grid, {}, 0.01);
     for (int c = 0; c < count; ++c) {
-      ASSERT_NO_FATAL_FAILURE(expect_same(here.columns[c], there.columns[(c + shift) % count]))
-          << "column " << c;
+      ASSERT_NO_FATAL_FAILURE(expect_same(here.sectors[c], there.sectors[(c + shift) % count]))
+          << "sector " << c;
     }
     EXPECT_EQ(area_mm2(here), area_mm2(there));
     EXPECT_EQ(outline_loops(here), outline_loops(there));

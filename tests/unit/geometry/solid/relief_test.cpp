@@ -28,18 +28,18 @@ TEST(ChordError, IsThatOfThePrism) {
   }
 }
 
-TEST(ChordError, NeedsTheFewestColumns) {
+TEST(ChordError, NeedsTheFewestSectors) {
   for (const double radius : {0.5, 3.0, 18.0, 250.0}) {
     int before = 0;
     for (const double tolerance : {1.0, 0.3, 0.1, 0.01, 0.001, 1e-4}) {
       SCOPED_TRACE(testing::Message() << "radius " << radius << ", tolerance " << tolerance);
-      const int columns = columns_for(radius, tolerance);
-      EXPECT_GE(columns, 12);
-      EXPECT_LE(prism_error(radius, columns), tolerance);
-      EXPECT_TRUE(columns == 12 || prism_error(radius, columns - 1) > tolerance);
-      EXPECT_GE(columns, before);
-      EXPECT_GE(columns_for(2 * radius, tolerance), columns);
-      before = columns;
+      const int sectors = sectors_for(radius, tolerance);
+      EXPECT_GE(sectors, 12);
+      EXPECT_LE(prism_error(radius, sectors), tolerance);
+      EXPECT_TRUE(sectors == 12 || prism_error(radius, sectors - 1) > tolerance);
+      EXPECT_GE(sectors, before);
+      EXPECT_GE(sectors_for(2 * radius, tolerance), sectors);
+      before = sectors;
     }
   }
 }
@@ -92,7 +92,7 @@ TEST(Wrap, PutsEveryVertexAtItsPlace) {
   const double middle = plane.pattern.circumference_mm / (2 * std::numbers::pi);
   const Relief relief = relief_of(plane, {0.9 * middle, middle}, region);
   const double start = relief.start_z_mm;
-  const double error = chord_error_mm(middle, plane.grid.column_angle_rad());
+  const double error = chord_error_mm(middle, plane.grid.sector_angle_rad());
   for (const Point& p : wrap(relief).vertices) {
     EXPECT_GE(p[2], start - 1e-12);
     EXPECT_LE(p[2], start + plane.pattern.length_mm + 1e-9);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Patterns and regions drawn by hand, in grid steps: four columns of 1024 x 1024 steps.
+// Patterns and regions drawn by hand, in grid steps: four sectors of 1024 x 1024 steps.
 #pragma once
 
 #include <set>
@@ -10,7 +10,7 @@
 
 namespace latticast {
 
-/// Corners in steps from the seam, over as many columns as needed; counter-clockwise.
+/// Corners in steps from the seam, over as many sectors as needed; counter-clockwise.
 using StepOutline = std::vector<GridPoint>;
 
 inline PlaneGrid square_grid() {
@@ -20,7 +20,7 @@ inline PlaneGrid square_grid() {
 inline Pattern on_square_grid(const std::vector<StepOutline>& outlines) {
   const PlaneGrid grid = square_grid();
   Pattern pattern{
-      grid.columns * grid.column_steps * grid.u_step_mm, grid.length_steps * grid.z_step_mm, {}};
+      grid.sectors * grid.sector_steps * grid.u_step_mm, grid.length_steps * grid.z_step_mm, {}};
   for (const StepOutline& outline : outlines) {
     Strand strand;
     for (const GridPoint p : outline) {
@@ -36,19 +36,19 @@ inline StepOutline rectangle(std::int32_t u, std::int32_t z, std::int32_t width,
   return {{u, z}, {u + width, z}, {u + width, z + height}, {u, z + height}};
 }
 
-/// A vertex named once: column of the line on its left, steps from there, height.
+/// A vertex named once: sector of the line on its left, steps from there, height.
 using NamedVertex = std::pair<int, GridPoint>;
 
-inline NamedVertex named(const PlaneGrid& grid, int column, GridPoint point) {
-  if (point.u == grid.column_steps) return {(column + 1) % grid.columns, {0, point.z}};
-  return {column, point};
+inline NamedVertex named(const PlaneGrid& grid, int sector, GridPoint point) {
+  if (point.u == grid.sector_steps) return {(sector + 1) % grid.sectors, {0, point.z}};
+  return {sector, point};
 }
 
-/// Every outline edge's two ends; those along column lines come from line_points.
+/// Every outline edge's two ends; those along sector lines come from line_points.
 inline std::vector<std::pair<NamedVertex, NamedVertex>> outline_edges(const Region& region) {
   std::vector<std::pair<NamedVertex, NamedVertex>> edges;
-  for (int c = 0; c < region.grid.columns; ++c) {
-    for (const RegionEdge& edge : region.columns[c]) {
+  for (int c = 0; c < region.grid.sectors; ++c) {
+    for (const RegionEdge& edge : region.sectors[c]) {
       if (!edge.is_outline()) continue;
       edges.emplace_back(named(region.grid, c, edge.a), named(region.grid, c, edge.b));
     }

@@ -71,7 +71,7 @@ TEST(StrandStrain, OfAnAffineMapIsTheStretchAlongEachStrand) {
   }
 }
 
-// Corners of the flat columns of a mesh within 0.05 mm of the cylinders.
+// Corners of the flat sectors of a mesh within 0.05 mm of the cylinders.
 TEST(StrandStrain, OfCornersIsThatOfTheFacesTheyStandFor) {
   const State state = twisted(1.3, -0.01, 13.1);
   TriangleMesh mesh;

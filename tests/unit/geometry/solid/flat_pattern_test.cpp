@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometry/solid/flat_sheet.h"
+#include "geometry/solid/flat_pattern.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 
 #include "geometry/solid/arrangement.h"
 #include "tests/unit/geometry/solid/example_segments.h"
-#include "tests/unit/geometry/solid/flat_sheet_rules.h"
+#include "tests/unit/geometry/solid/flat_pattern_rules.h"
 
 namespace latticast {
 namespace {
@@ -22,16 +22,16 @@ Segment segment_of(std::vector<Grid> grids) {
   return segment;
 }
 
-std::size_t holes_of(const FlatSheet& sheet) {
+std::size_t holes_of(const FlatPattern& sheet) {
   std::size_t holes = 0;
   for (const FlatPiece& piece : sheet.pieces) holes += piece.holes.size();
   return holes;
 }
 
-TEST(FlatSheet, OfRingsIsARectangleEach) {
+TEST(FlatPattern, OfRingsIsARectangleEach) {
   Segment segment = example_segment();
   segment.lattice->grids.clear();
-  const FlatSheet sheet = flat_sheet(segment, 0.01);
+  const FlatPattern sheet = flat_pattern(segment, 0.01);
   ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(segment, sheet, 0.01));
   ASSERT_EQ(sheet.pieces.size(), 8U);
   const double pitch = (85.0 - 2) / 7;
@@ -47,9 +47,9 @@ TEST(FlatSheet, OfRingsIsARectangleEach) {
   EXPECT_NEAR(sheet.area_mm2, 8 * 2 * 2 * std::numbers::pi * 17, 1e-2);
 }
 
-TEST(FlatSheet, SlitsTheStrandAtThetaZeroIntoTwoHalves) {
+TEST(FlatPattern, SlitsTheStrandAtThetaZeroIntoTwoHalves) {
   const Segment segment = segment_of({{90, std::vector<double>(8, 2.0), StraightPath{}}});
-  const FlatSheet sheet = flat_sheet(segment, 0.01);
+  const FlatPattern sheet = flat_pattern(segment, 0.01);
   ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(segment, sheet, 0.01));
   ASSERT_EQ(sheet.pieces.size(), 9U);
   EXPECT_EQ(sheet.pieces.front().outer.front().u, 0);
@@ -58,8 +58,8 @@ TEST(FlatSheet, SlitsTheStrandAtThetaZeroIntoTwoHalves) {
   EXPECT_EQ(sheet.pieces.back().outer[1].u, sheet.circumference_mm);
 }
 
-TEST(FlatSheet, OfTheExampleHasTheOutlinesThatTheTubeHasLessTheSlitOnes) {
-  const FlatSheet sheet = flat_sheet(example_segment(), 0.01);
+TEST(FlatPattern, OfTheExampleHasTheOutlinesThatTheTubeHasLessTheSlitOnes) {
+  const FlatPattern sheet = flat_pattern(example_segment(), 0.01);
   ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(example_segment(), sheet, 0.01));
   EXPECT_EQ(sheet.pieces.size(), 1U);
   // 56 windows; the slit opens at least one in each of seven bays, at most three.
@@ -69,10 +69,10 @@ TEST(FlatSheet, OfTheExampleHasTheOutlinesThatTheTubeHasLessTheSlitOnes) {
   EXPECT_NEAR(sheet.area_mm2, 7174.5268 / 2, 1e-5 * 3587);
 }
 
-TEST(FlatSheet, OfStrandsWiderThanTheirSpacingIsTheRectangle) {
+TEST(FlatPattern, OfStrandsWiderThanTheirSpacingIsTheRectangle) {
   for (const double angle : {36.0, 90.0, 150.0}) {
     const Segment segment = segment_of({{angle, std::vector<double>(4, 40.0), StraightPath{}}});
-    const FlatSheet sheet = flat_sheet(segment, 0.01);
+    const FlatPattern sheet = flat_pattern(segment, 0.01);
     ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(segment, sheet, 0.01));
     ASSERT_EQ(sheet.pieces.size(), 1U);
     EXPECT_TRUE(sheet.pieces[0].holes.empty());
@@ -83,11 +83,11 @@ TEST(FlatSheet, OfStrandsWiderThanTheirSpacingIsTheRectangle) {
   }
 }
 
-TEST(FlatSheet, OfASingleStrandIsAsManyPartsAsItCrossesTheSlit) {
+TEST(FlatPattern, OfASingleStrandIsAsManyPartsAsItCrossesTheSlit) {
   for (const double angle : {0.5, 36.0, 144.0, 179.5}) {
     SCOPED_TRACE(angle);
     const Segment segment = segment_of({{angle, {0.8}, StraightPath{}}});
-    const FlatSheet sheet = flat_sheet(segment, 0.01);
+    const FlatPattern sheet = flat_pattern(segment, 0.01);
     ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(segment, sheet, 0.01));
     // The middle line starts on the slit; parts of both its ends lie on the slit's other side.
     const double turns =
@@ -98,15 +98,15 @@ TEST(FlatSheet, OfASingleStrandIsAsManyPartsAsItCrossesTheSlit) {
   }
 }
 
-TEST(FlatSheet, OfHundredsOfTurnsOfTwoFamiliesKeepsItsTopology) {
+TEST(FlatPattern, OfHundredsOfTurnsOfTwoFamiliesKeepsItsTopology) {
   Segment segment = segment_of({{0.5, {0.3}, StraightPath{}}, {179.5, {0.3}, StraightPath{}}});
   segment.length_mm = 300;
-  const FlatSheet sheet = flat_sheet(segment, 0.01);
+  const FlatPattern sheet = flat_pattern(segment, 0.01);
   ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(segment, sheet, 0.01));
   EXPECT_GT(holes_of(sheet), 300U);
 }
 
-TEST(FlatSheet, HoldsArcsAndFilletsWithinTheTolerance) {
+TEST(FlatPattern, HoldsArcsAndFilletsWithinTheTolerance) {
   Segment segment = example_segment();
   for (const bool alternate : {true, false}) {
     for (const double fillet : {0.0, 0.5}) {
@@ -114,7 +114,7 @@ TEST(FlatSheet, HoldsArcsAndFilletsWithinTheTolerance) {
       segment.lattice->grids = {
           {90, std::vector<double>(6, 1.2), Horseshoe{85.0 / 32, 180, alternate}}};
       segment.lattice->fillet_mm = fillet;
-      const FlatSheet sheet = flat_sheet(segment, 0.01);
+      const FlatPattern sheet = flat_pattern(segment, 0.01);
       ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(segment, sheet, 0.01));
       // And 1.5 steps of the grid along either axis.
       EXPECT_LE(sheet.error.distance_mm, 0.01 + 1e-4);
@@ -125,27 +125,27 @@ TEST(FlatSheet, HoldsArcsAndFilletsWithinTheTolerance) {
 
 // Both families are as wide along u as a sixth of the way around: the cells' left tips lie on the
 // twelfths of it, one of them on the slit.
-TEST(FlatSheet, JoinsWhatASlitThroughATipWouldLeaveInAPoint) {
+TEST(FlatPattern, JoinsWhatASlitThroughATipWouldLeaveInAPoint) {
   const double angle = 50;
   Segment segment = segment_of({});
   const double width = 2 * std::numbers::pi * 17 / 6 * std::sin(angle * std::numbers::pi / 180);
   segment.lattice->grids = {{angle, std::vector<double>(2, width), StraightPath{}},
                             {180 - angle, std::vector<double>(3, width), StraightPath{}}};
-  const FlatSheet sheet = flat_sheet(segment, 0.05);
+  const FlatPattern sheet = flat_pattern(segment, 0.05);
   ASSERT_GE(tips_on_slit(flat_region(segment, sheet, 0.05)), 1) << "no tip lies on the slit";
   EXPECT_GE(sheet.error.area_mm2, 2 * 0.05 * 0.05);
   ASSERT_NO_FATAL_FAILURE(expect_sound_sheet(segment, sheet, 0.05));
 }
 
-TEST(FlatSheet, OfRingsThatDoNotFitIsEmpty) {
+TEST(FlatPattern, OfRingsThatDoNotFitIsEmpty) {
   Segment segment = segment_of({});
   segment.lattice->rings = Rings{std::nullopt, 400, 2};
-  EXPECT_TRUE(flat_sheet(segment, 0.01).pieces.empty());
+  EXPECT_TRUE(flat_pattern(segment, 0.01).pieces.empty());
 }
 
-TEST(FlatSheet, RefusesStrandsThinnerThanTheGridHolds) {
+TEST(FlatPattern, RefusesStrandsThinnerThanTheGridHolds) {
   const Segment segment = segment_of({{90, {1e-4}, StraightPath{}}});
-  EXPECT_THROW(flat_sheet(segment, 1e-5), GeometryError);
+  EXPECT_THROW(flat_pattern(segment, 1e-5), GeometryError);
 }
 
 }  // namespace

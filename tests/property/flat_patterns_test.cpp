@@ -9,10 +9,10 @@
 #include "design/material_library.h"
 #include "design/read_design.h"
 #include "geometry/solid/arrangement.h"
-#include "geometry/solid/flat_sheet.h"
+#include "geometry/solid/flat_pattern.h"
 #include "geometry/solid/tube_solids.h"
 #include "tests/property/random_design_text.h"
-#include "tests/unit/geometry/solid/flat_sheet_rules.h"
+#include "tests/unit/geometry/solid/flat_pattern_rules.h"
 
 namespace latticast {
 namespace {
@@ -33,7 +33,7 @@ double matching_tolerance_mm(const Segment& segment, double tolerance_mm) {
   return 0.5 * tolerance_mm * segment.lattice_mid_radius_mm() / segment.outer_radius_mm();
 }
 
-void expect_the_solids_area(const Segment& segment, const FlatSheet& sheet, const Solid& solid,
+void expect_the_solids_area(const Segment& segment, const FlatPattern& sheet, const Solid& solid,
                             Tally& tally) {
   const double inner = segment.liner_outer_radius_mm();
   const double outer = segment.outer_radius_mm();
@@ -50,10 +50,10 @@ void expect_the_solids_area(const Segment& segment, const FlatSheet& sheet, cons
 
 void try_segment(const Segment& segment, double tolerance_mm, Tally& tally) {
   const double matching = matching_tolerance_mm(segment, tolerance_mm);
-  FlatSheet sheet;
+  FlatPattern sheet;
   try {
     const Solid solid = lattice_solid(segment, {tolerance_mm, 0, 0, 1});
-    sheet = flat_sheet(segment, matching);
+    sheet = flat_pattern(segment, matching);
     expect_the_solids_area(segment, sheet, solid, tally);
   } catch (const CannotDraw&) {
     ++tally.refused;
@@ -67,9 +67,9 @@ void try_segment(const Segment& segment, double tolerance_mm, Tally& tally) {
   for (const Grid& grid : segment.lattice->grids) tally.with_arcs += is_curved(grid.path);
 }
 
-class FlatSheets : public testing::TestWithParam<int> {};
+class FlatPatterns : public testing::TestWithParam<int> {};
 
-TEST_P(FlatSheets, HaveTheSolidsAreaAndTheTrianglesTopology) {
+TEST_P(FlatPatterns, HaveTheSolidsAreaAndTheTrianglesTopology) {
   Tally tally;
   const std::uint64_t first = seed + static_cast<std::uint64_t>(GetParam() * designs_per_shard);
   for (int i = 0; i < designs_per_shard; ++i) {
@@ -90,7 +90,7 @@ TEST_P(FlatSheets, HaveTheSolidsAreaAndTheTrianglesTopology) {
   EXPECT_GE(tally.sheets, designs_per_shard / 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shards, FlatSheets, testing::Range(0, shards));
+INSTANTIATE_TEST_SUITE_P(Shards, FlatPatterns, testing::Range(0, shards));
 
 }  // namespace
 }  // namespace latticast

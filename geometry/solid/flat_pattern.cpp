@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "geometry/solid/flat_sheet.h"
+#include "geometry/solid/flat_pattern.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,27 +13,27 @@
 namespace latticast {
 namespace {
 
-constexpr int few_columns = 4;  // columns only cut outlines; a quarter of the way around is exact
+constexpr int few_sectors = 4;  // sectors only cut outlines; a quarter of the way around is exact
 constexpr double fewest_steps_across = 16;
 constexpr int most_slit_rounds = 16;
 constexpr double arc_share = 0.95;     // chords may be off by 1.05 of the flatness asked for,
 constexpr double fillet_share = 0.88;  // those of fillets by 1.12
 
-// A grid point of the slit sheet, u counted from the slit all the way across.
-struct SheetPoint {
+// A grid point of the slit plane, u counted from the slit all the way across.
+struct SlitPoint {
   std::int64_t u = 0;
   std::int64_t z = 0;
 
-  friend auto operator<=>(const SheetPoint&, const SheetPoint&) = default;
+  friend auto operator<=>(const SlitPoint&, const SlitPoint&) = default;
 };
 
 // Material lies on the left of from -> to.
-struct SheetEdge {
-  SheetPoint from;
-  SheetPoint to;
+struct SlitEdge {
+  SlitPoint from;
+  SlitPoint to;
 };
 
-using Loop = std::vector<SheetPoint>;
+using Loop = std::vector<SlitPoint>;
 
 struct PieceLoops {
   Loop outer;
@@ -41,7 +41,7 @@ struct PieceLoops {
   std::vector<Loop> holes;
 };
 
-std::int64_t cross(SheetPoint a, SheetPoint b, SheetPoint c) {
+std::int64_t cross(SlitPoint a, SlitPoint b, SlitPoint c) {
   return (b.u - a.u) * (c.z - a.z) - (b.z - a.z) * (c.u - a.u);
 }
 
@@ -108,10 +108,10 @@ Region slit_region(LatticeDrawing& drawing, double flatness_mm, const PlaneGrid&
       "count or a width slightly");
 }
 
-// Outlines along a line between columns, or along the slit, where the sheet has two sides.
-void add_line_edges(const Region& region, int line, std::vector<SheetEdge>& edges) {
-  const std::int64_t u = std::int64_t{line} * region.grid.column_steps;
-  const std::int64_t far_u = std::int64_t{region.grid.columns} * region.grid.column_steps;
+// Outlines along a sector line, or along the slit, where the slit plane has two sides.
+void add_line_edges(const Region& region, int line, std::vector<SlitEdge>& edges) {
+  const std::int64_t u = std::int64_t{line} * region.grid.sector_steps;
+  const std::int64_t far_u = std::int64_t{region.grid.sectors} * region.grid.sector_steps;
   const std::vector<LinePoint> points = line_points(region, line);
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const std::int64_t low = points[i].z;
@@ -125,24 +125,24 @@ void add_line_edges(const Region& region, int line, std::vector<SheetEdge>& edge
 }
 
 // Sorted by where they start.
-std::vector<SheetEdge> sheet_edges(const Region& region) {
-  std::vector<SheetEdge> edges;
-  for (int c = 0; c < region.grid.columns; ++c) {
-    const std::int64_t left = std::int64_t{c} * region.grid.column_steps;
-    for (const RegionEdge& edge : region.columns[c]) {
+std::vector<SlitEdge> slit_edges(const Region& region) {
+  std::vector<SlitEdge> edges;
+  for (int c = 0; c < region.grid.sectors; ++c) {
+    const std::int64_t left = std::int64_t{c} * region.grid.sector_steps;
+    for (const RegionEdge& edge : region.sectors[c]) {
       if (!edge.is_outline()) continue;
-      const SheetPoint a{left + edge.a.u, edge.a.z};
-      const SheetPoint b{left + edge.b.u, edge.b.z};
-      edges.push_back(edge.inside_left != 0 ? SheetEdge{a, b} : SheetEdge{b, a});
+      const SlitPoint a{left + edge.a.u, edge.a.z};
+      const SlitPoint b{left + edge.b.u, edge.b.z};
+      edges.push_back(edge.inside_left != 0 ? SlitEdge{a, b} : SlitEdge{b, a});
     }
     add_line_edges(region, c, edges);
   }
   std::sort(edges.begin(), edges.end(),
-            [](const SheetEdge& e, const SheetEdge& f) { return e.from < f.from; });
+            [](const SlitEdge& e, const SlitEdge& f) { return e.from < f.from; });
   return edges;
 }
 
-// The sheet's points on the slit are kept even on a straight line: there the other side may turn.
+// Points on the slit are kept even on a straight line: there the other side may turn.
 Loop without_straight_points(const Loop& loop, std::int64_t far_u) {
   Loop kept;
   const std::size_t n = loop.size();
@@ -161,11 +161,11 @@ std::int64_t twice_area(const Loop& loop) {
   return sum;
 }
 
-// Every point of the slit sheet starts exactly one edge. Loops begin at their first point, and come
+// Every point of the slit plane starts exactly one edge. Loops begin at their first point, and come
 // in the order of these.
 std::vector<Loop> loops_of(const Region& region) {
-  const std::int64_t far_u = std::int64_t{region.grid.columns} * region.grid.column_steps;
-  const std::vector<SheetEdge> edges = sheet_edges(region);
+  const std::int64_t far_u = std::int64_t{region.grid.sectors} * region.grid.sector_steps;
+  const std::vector<SlitEdge> edges = slit_edges(region);
   std::vector<char> used(edges.size(), 0);
   std::vector<Loop> loops;
   for (std::size_t first = 0; first < edges.size(); ++first) {
@@ -176,7 +176,7 @@ std::vector<Loop> loops_of(const Region& region) {
       loop.push_back(edges[at].from);
       const auto next = std::lower_bound(
           edges.begin(), edges.end(), edges[at].to,
-          [](const SheetEdge& edge, const SheetPoint& point) { return edge.from < point; });
+          [](const SlitEdge& edge, const SlitPoint& point) { return edge.from < point; });
       at = static_cast<std::size_t>(next - edges.begin());
     }
     loops.push_back(without_straight_points(loop, far_u));
@@ -185,7 +185,7 @@ std::vector<Loop> loops_of(const Region& region) {
 }
 
 // Precondition: the point is not on the loop.
-bool surrounds(const Loop& loop, SheetPoint point) {
+bool surrounds(const Loop& loop, SlitPoint point) {
   bool inside = false;
   for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
     if ((loop[i].z > point.z) == (loop[j].z > point.z)) continue;
@@ -221,7 +221,7 @@ std::vector<PieceLoops> pieces_of(std::vector<Loop> loops) {
 std::vector<PlanePoint> in_mm(const Loop& loop, const PlaneGrid& grid, double length_mm) {
   std::vector<PlanePoint> points;
   points.reserve(loop.size());
-  for (const SheetPoint& p : loop) {
+  for (const SlitPoint& p : loop) {
     const double z =
         p.z == grid.length_steps ? length_mm : static_cast<double>(p.z) * grid.z_step_mm;
     points.push_back({static_cast<double>(p.u) * grid.u_step_mm, z});
@@ -231,32 +231,32 @@ std::vector<PlanePoint> in_mm(const Loop& loop, const PlaneGrid& grid, double le
 
 }  // namespace
 
-FlatSheet flat_sheet(const Segment& segment, double tolerance_mm) {
+FlatPattern flat_pattern(const Segment& segment, double tolerance_mm) {
   LatticeDrawing drawing(segment);
-  return flat_sheet(drawing, tolerance_mm);
+  return flat_pattern(drawing, tolerance_mm);
 }
 
-FlatSheet flat_sheet(LatticeDrawing& drawing, double tolerance_mm) {
+FlatPattern flat_pattern(LatticeDrawing& drawing, double tolerance_mm) {
   const Lattice& lattice = *drawing.segment().lattice;
   const double flatness_mm = flatness_of(lattice, tolerance_mm);
   const Pattern& pattern = drawing.outlines(flatness_mm);
-  const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, pattern.length_mm, few_columns);
+  const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, pattern.length_mm, few_sectors);
   check_widths(lattice, grid);
-  FlatSheet sheet;
-  sheet.radius_mm = drawing.segment().lattice_mid_radius_mm();
-  sheet.circumference_mm = pattern.circumference_mm;
-  sheet.length_mm = pattern.length_mm;
+  FlatPattern flat;
+  flat.radius_mm = drawing.segment().lattice_mid_radius_mm();
+  flat.circumference_mm = pattern.circumference_mm;
+  flat.length_mm = pattern.length_mm;
   const Region region = slit_region(drawing, flatness_mm, grid, tolerance_mm);
-  sheet.error = region_error(region);
-  sheet.area_mm2 = area_mm2(region);
+  flat.error = region_error(region);
+  flat.area_mm2 = area_mm2(region);
   for (const PieceLoops& piece : pieces_of(loops_of(region))) {
-    FlatPiece& drawn = sheet.pieces.emplace_back();
-    drawn.outer = in_mm(piece.outer, grid, sheet.length_mm);
+    FlatPiece& drawn = flat.pieces.emplace_back();
+    drawn.outer = in_mm(piece.outer, grid, flat.length_mm);
     for (const Loop& hole : piece.holes) {
-      drawn.holes.push_back(in_mm(hole, grid, sheet.length_mm));
+      drawn.holes.push_back(in_mm(hole, grid, flat.length_mm));
     }
   }
-  return sheet;
+  return flat;
 }
 
 }  // namespace latticast

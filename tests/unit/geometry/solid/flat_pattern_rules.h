@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every flat sheet promises, counted another way: from the triangles of the union, and from
+// What every flat pattern promises, counted another way: from the triangles of the union, and from
 // all pairs of edges.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 #include "geometry/mesh/disjoint_sets.h"
 #include "geometry/solid/fillet.h"
-#include "geometry/solid/flat_sheet.h"
+#include "geometry/solid/flat_pattern.h"
 #include "geometry/solid/plane_mesh.h"
 #include "geometry/solid/region.h"
 
@@ -29,12 +29,12 @@ struct StepPoint {
 };
 using StepEdge = std::pair<StepPoint, StepPoint>;
 
-inline PlaneGrid grid_of(const FlatSheet& sheet) {
+inline PlaneGrid grid_of(const FlatPattern& sheet) {
   return make_plane_grid(sheet.circumference_mm, sheet.length_mm, 4);
 }
 
 /// Every point of the sheet, in steps; each must be a whole number of them.
-inline std::vector<std::vector<StepPoint>> loops_in_steps(const FlatSheet& sheet) {
+inline std::vector<std::vector<StepPoint>> loops_in_steps(const FlatPattern& sheet) {
   const PlaneGrid grid = grid_of(sheet);
   std::vector<std::vector<StepPoint>> loops;
   const auto add = [&](const std::vector<PlanePoint>& loop) {
@@ -83,7 +83,7 @@ inline bool meet(const StepEdge& e, const StepEdge& f) {
 }
 
 /// No point twice, no two edges meet but neighbours in their common end; orientation by kind.
-inline void expect_simple(const FlatSheet& sheet) {
+inline void expect_simple(const FlatPattern& sheet) {
   const auto loops = loops_in_steps(sheet);
   std::set<StepPoint> points;
   std::size_t count = 0;
@@ -135,11 +135,11 @@ inline SheetTopology triangle_topology(const PlaneMesh& mesh) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> sides;
   for (const auto& t : mesh.triangles) {
     const bool last = std::any_of(t.begin(), t.end(), [&](std::uint32_t v) {
-      return mesh.vertices[v].column == mesh.grid.columns - 1;
+      return mesh.vertices[v].sector == mesh.grid.sectors - 1;
     });
     std::array<std::uint32_t, 3> corner{};
     for (int i = 0; i < 3; ++i) {
-      const bool on_slit = mesh.vertices[t[i]].column == 0 && mesh.vertices[t[i]].point.u == 0;
+      const bool on_slit = mesh.vertices[t[i]].sector == 0 && mesh.vertices[t[i]].point.u == 0;
       corner[i] = last && on_slit ? n + t[i] : t[i];
       corners.insert(corner[i]);
     }
@@ -156,8 +156,8 @@ inline SheetTopology triangle_topology(const PlaneMesh& mesh) {
   return counted;
 }
 
-/// The union as `flat_sheet` draws it, before it is slit.
-inline Region flat_region(const Segment& segment, const FlatSheet& sheet, double tolerance_mm) {
+/// The union as `flat_pattern` draws it, before it is slit.
+inline Region flat_region(const Segment& segment, const FlatPattern& sheet, double tolerance_mm) {
   const Lattice& lattice = *segment.lattice;
   const bool arcs = std::any_of(lattice.grids.begin(), lattice.grids.end(),
                                 [](const Grid& grid) { return is_curved(grid.path); });
@@ -170,7 +170,7 @@ inline Region flat_region(const Segment& segment, const FlatSheet& sheet, double
 
 /// What the two sides of the slit have in material, as z intervals, the way the sheet's outlines
 /// run there.
-inline std::vector<std::pair<double, double>> slit_side(const FlatSheet& sheet, double u) {
+inline std::vector<std::pair<double, double>> slit_side(const FlatPattern& sheet, double u) {
   std::vector<std::pair<double, double>> stretches;
   for (const FlatPiece& piece : sheet.pieces) {
     std::vector<std::vector<PlanePoint>> loops = piece.holes;
@@ -199,9 +199,9 @@ inline int tips_on_slit(const Region& region) {
   return tips;
 }
 
-/// All that flat_sheet.h promises. Where the slit goes through an opening's tip, the diamond there
-/// may open or close what is about as small: then only simplicity and area are looked at.
-inline void expect_sound_sheet(const Segment& segment, const FlatSheet& sheet,
+/// All that flat_pattern.h promises. Where the slit goes through an opening's tip, the diamond
+/// there may open or close what is about as small: then only simplicity and area are looked at.
+inline void expect_sound_sheet(const Segment& segment, const FlatPattern& sheet,
                                double tolerance_mm) {
   ASSERT_NO_FATAL_FAILURE(expect_simple(sheet));
   const Region region = flat_region(segment, sheet, tolerance_mm);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A segment's lattice as a flat sheet: unrolled at its mid radius, slit along Theta = 0, to be cut
-// out and rolled up.
+// Flat pattern of a segment's lattice: its development at the mid radius, slit along Theta = 0, to
+// be cut out of a sheet and rolled up.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@
 
 namespace latticast {
 
-/// A connected part of the sheet. Outlines are closed (the last point is joined to the first) and
-/// simple: no point occurs twice, no two edges cross or overlap. Those of one sheet have no point
+/// A connected part of the pattern. Outlines are closed (the last point is joined to the first) and
+/// simple: no point occurs twice, no two edges cross or overlap. Those of one pattern have no point
 /// in common.
 struct FlatPiece {
   std::vector<PlanePoint> outer;               ///< counter-clockwise
@@ -20,10 +20,10 @@ struct FlatPiece {
 };
 
 /// u = R_c Theta to the right, z up, as seen from outside the tube.
-struct FlatSheet {
+struct FlatPattern {
   double radius_mm = 0;         ///< R_c, where strand widths are measured
-  double circumference_mm = 0;  ///< 2 pi R_c, the sheet's width
-  double length_mm = 0;         ///< the segment's, the sheet's height
+  double circumference_mm = 0;  ///< 2 pi R_c, the pattern's width
+  double length_mm = 0;         ///< the segment's, the pattern's height
   std::vector<FlatPiece> pieces;
   double area_mm2 = 0;   ///< of the material, counted in grid steps: outlines less holes
   DrawingError error{};  ///< against what the design means: chords, grid, closed touching points
@@ -44,9 +44,9 @@ struct FlatSheet {
 /// pieces around a hole for every hole. Precondition: a validated segment with a lattice. Throws
 /// CannotDraw (pattern.h), and GeometryError (arrangement.h) also for strands thinner than 16
 /// steps.
-FlatSheet flat_sheet(LatticeDrawing& drawing, double tolerance_mm);
+FlatPattern flat_pattern(LatticeDrawing& drawing, double tolerance_mm);
 
-/// Of a segment that is drawn for this sheet alone.
-FlatSheet flat_sheet(const Segment& segment, double tolerance_mm);
+/// Of a segment that is drawn for this pattern alone.
+FlatPattern flat_pattern(const Segment& segment, double tolerance_mm);
 
 }  // namespace latticast
