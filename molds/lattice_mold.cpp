@@ -9,10 +9,9 @@
 #include <fmt/format.h>
 
 #include "design/units.h"
-#include "geometry/mesh/weld.h"
 #include "geometry/solid/arrangement.h"
-#include "geometry/solid/fillet.h"
 #include "geometry/solid/self_intersection.h"
+#include "geometry/solid/tolerance_budget.h"
 #include "molds/mold_rings.h"
 
 namespace latticast {
@@ -262,7 +261,8 @@ LatticeMoldPlan plan_lattice_mold(LatticeDrawing& drawing, const LatticeMoldOpti
   shell.outer_radius_mm = s.outer_radius_mm() + fit.wall_mm;
   shell.strap_radius_mm = shell.outer_radius_mm - std::min(strap_depth_mm, fit.wall_mm / 3);
 
-  const double flatness = 0.5 * fit.tolerance_mm * s.lattice_mid_radius_mm() / s.outer_radius_mm();
+  const double flatness =
+      layered_budget(fit.tolerance_mm).drawing_mm * s.lattice_mid_radius_mm() / s.outer_radius_mm();
   LatticeDrawing larger(s);
   LatticeDrawing& drawn = options.fit.growth == 1 ? drawing : larger;
   const Pattern strands = raised(drawn.strands(flatness), plan.land_mm);

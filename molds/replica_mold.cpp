@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "geometry/solid/layered_solid.h"
+#include "geometry/solid/tolerance_budget.h"
 #include "molds/liner_mold.h"
 
 namespace latticast {
@@ -68,11 +69,12 @@ Solid pattern_solid(const LatticeMoldPlan& plan, const Height& height, double bo
   const double length = height.high_mm - height.low_mm;
   const double rod = shell.cast.floor_mm;
   const double chamfer_mm = std::min(1.0, 0.25 * rod);
+  const double flatness = layered_budget(fit.tolerance_mm).drawing_mm;
   Pattern gates{shell.lattice.circumference_mm, length, {}};
   for (const Bore& bore : shell.bores) {
     gates.strands.push_back(drawn_disc(drawn, bore.middle.u / drawn, bore.middle.z - height.low_mm,
-                                       bore.radius_mm, 0.5 * fit.tolerance_mm));
-    gates.error += disc_error(bore.radius_mm, 0.5 * fit.tolerance_mm);
+                                       bore.radius_mm, flatness));
+    gates.error += disc_error(bore.radius_mm, flatness);
   }
   LayeredTube tube;
   tube.drawn_radius_mm = drawn;

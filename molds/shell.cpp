@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "geometry/solid/layered_solid.h"
+#include "geometry/solid/tolerance_budget.h"
 
 namespace latticast {
 namespace {
@@ -66,11 +67,12 @@ Solid shell_solid(const Shell& shell, int piece, double tolerance_mm) {
   const double drawn = shell.parting.drawn_radius_mm;
   const double around = shell.lattice.circumference_mm;
   const double length = shell.lattice.length_mm;
+  const double flatness = layered_budget(tolerance_mm).drawing_mm;
   Pattern bores{around, length, {}};
   for (const Bore& b : shell.bores) {
     bores.strands.push_back(
-        drawn_disc(drawn, b.middle.u / drawn, b.middle.z, b.radius_mm, 0.5 * tolerance_mm));
-    bores.error += disc_error(b.radius_mm, 0.5 * tolerance_mm);
+        drawn_disc(drawn, b.middle.u / drawn, b.middle.z, b.radius_mm, flatness));
+    bores.error += disc_error(b.radius_mm, flatness);
   }
   Pattern straps{around, length, {}};
   for (const StrapGroove& groove : shell.straps) {

@@ -9,6 +9,7 @@
 
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/region.h"
+#include "geometry/solid/tolerance_budget.h"
 
 namespace latticast {
 namespace {
@@ -16,8 +17,6 @@ namespace {
 constexpr int few_sectors = 4;  // sectors only cut outlines; a quarter of the way around is exact
 constexpr double fewest_steps_across = 16;
 constexpr int most_slit_rounds = 16;
-constexpr double arc_share = 0.95;     // chords may be off by 1.05 of the flatness asked for,
-constexpr double fillet_share = 0.88;  // those of fillets by 1.12
 
 // A grid point of the slit plane, u counted from the slit all the way across.
 struct SlitPoint {
@@ -43,17 +42,6 @@ struct PieceLoops {
 
 std::int64_t cross(SlitPoint a, SlitPoint b, SlitPoint c) {
   return (b.u - a.u) * (c.z - a.z) - (b.z - a.z) * (c.u - a.u);
-}
-
-bool has_curves(const Lattice& lattice) {
-  return std::any_of(lattice.grids.begin(), lattice.grids.end(),
-                     [](const Grid& grid) { return is_curved(grid.path); });
-}
-
-// A fillet leans on chords of arcs, and adds its own.
-double flatness_of(const Lattice& lattice, double tolerance_mm) {
-  if (lattice.fillet_mm == 0) return arc_share * tolerance_mm;
-  return fillet_share * (has_curves(lattice) ? 0.5 : 1) * tolerance_mm;
 }
 
 void check_widths(const Lattice& lattice, const PlaneGrid& grid) {
@@ -88,12 +76,11 @@ Strand diamond(double z_mm, double half_mm, double length_mm) {
            {-half_mm, z_mm}}};
 }
 
-Region slit_region(LatticeDrawing& drawing, double flatness_mm, const PlaneGrid& grid,
-                   double closing_mm) {
+Region slit_region(LatticeDrawing& drawing, const ToleranceBudget& budget, const PlaneGrid& grid) {
   const double half =
-      std::max(closing_mm, fewest_steps_across * std::max(grid.u_step_mm, grid.z_step_mm));
-  Region region = drawing.united(flatness_mm, grid, {}, closing_mm);
-  Pattern pattern = drawing.outlines(flatness_mm);
+      std::max(budget.closing_mm, fewest_steps_across * std::max(grid.u_step_mm, grid.z_step_mm));
+  Region region = drawing.united(budget.drawing_mm, grid, {}, budget.closing_mm);
+  Pattern pattern = drawing.outlines(budget.drawing_mm);
   for (int round = 0; round < most_slit_rounds; ++round) {
     const std::vector<std::int32_t> tips = slit_tips(region);
     if (tips.empty()) return region;
@@ -101,7 +88,7 @@ Region slit_region(LatticeDrawing& drawing, double flatness_mm, const PlaneGrid&
       pattern.strands.push_back(diamond(z * grid.z_step_mm, half, pattern.length_mm));
     }
     pattern.error += {half, 2 * half * half * static_cast<double>(tips.size())};
-    region = unite(pattern, grid, {}, closing_mm);
+    region = unite(pattern, grid, {}, budget.closing_mm);
   }
   throw GeometryError(
       "the slit meets openings in points that cannot be closed; change an angle, a "
@@ -238,15 +225,15 @@ FlatPattern flat_pattern(const Segment& segment, double tolerance_mm) {
 
 FlatPattern flat_pattern(LatticeDrawing& drawing, double tolerance_mm) {
   const Lattice& lattice = *drawing.segment().lattice;
-  const double flatness_mm = flatness_of(lattice, tolerance_mm);
-  const Pattern& pattern = drawing.outlines(flatness_mm);
+  const ToleranceBudget budget = flat_pattern_budget(lattice, tolerance_mm);
+  const Pattern& pattern = drawing.outlines(budget.drawing_mm);
   const PlaneGrid grid = make_plane_grid(pattern.circumference_mm, pattern.length_mm, few_sectors);
   check_widths(lattice, grid);
   FlatPattern flat;
   flat.radius_mm = drawing.segment().lattice_mid_radius_mm();
   flat.circumference_mm = pattern.circumference_mm;
   flat.length_mm = pattern.length_mm;
-  const Region region = slit_region(drawing, flatness_mm, grid, tolerance_mm);
+  const Region region = slit_region(drawing, budget, grid);
   flat.error = region_error(region);
   flat.area_mm2 = area_mm2(region);
   for (const PieceLoops& piece : pieces_of(loops_of(region))) {

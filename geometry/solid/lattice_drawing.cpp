@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "geometry/solid/lattice_drawing.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "geometry/solid/fillet.h"
+#include "geometry/solid/tolerance_budget.h"
 
 namespace latticast {
-namespace {
-
-bool has_curves(const Lattice& lattice) {
-  return lattice.fillet_mm > 0 ||
-         std::any_of(lattice.grids.begin(), lattice.grids.end(),
-                     [](const Grid& grid) { return is_curved(grid.path); });
-}
-
-}  // namespace
 
 double LatticeDrawing::effective_flatness_mm(double flatness_mm) const {
-  return has_curves(*segment_.lattice) ? flatness_mm : 0;
+  return has_curved_outlines(*segment_.lattice) ? flatness_mm : 0;
 }
 
 const Pattern& LatticeDrawing::strands(double flatness_mm) {

@@ -7,22 +7,19 @@
 #include <numbers>
 #include <span>
 
-#include "geometry/mesh/weld.h"
 #include "geometry/pattern/pattern.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/region.h"
 #include "geometry/solid/relief.h"
 #include "geometry/solid/self_intersection.h"
+#include "geometry/solid/tolerance_budget.h"
 
 namespace latticast {
 namespace {
 
 constexpr double most_triangles = 20e6;
 constexpr double fewest_steps_across = 16;
-constexpr double curve_share = 0.5;    // of the tolerance, for the chords of arcs and fillets
-constexpr double sector_share = 0.85;  // for sectors then: at rims both count, square to each other
-constexpr double coarser = 4;          // grid steps where arcs graze other outlines
-constexpr double coarsest_step_share = 0.05;  // of the tolerance
+constexpr double coarser = 4;  // grid steps where arcs graze other outlines
 
 using Unite = std::function<Region(const PlaneGrid&, std::span<const std::int32_t> cuts)>;
 
@@ -32,10 +29,10 @@ struct Layer {
   Unite united;
   double floor_mm = 0;
   double ceiling_mm = 0;
+  ToleranceBudget budget;
   double steepness = 0;  // of its walls (relief.h)
-  double wall_tolerance_mm = 0;
   double thinnest_strand_mm = HUGE_VAL;
-  bool has_arcs = false;
+  bool has_curves = false;
 };
 
 // How finely a solid must be cut so that it stays within the tolerance, now and when it is
@@ -45,12 +42,12 @@ struct Cutting {
   std::vector<std::int32_t> heights;
 };
 
-// An edge of a twisted mesh turns by its own angle around the tube plus the twist over its height,
-// and no longer has corners pushed outwards: half of the permitted angle (sagitta r D^2/8) goes to
-// each.
-int sectors_of(const Segment& segment, const SolidOptions& options, bool has_arcs) {
+// The chord around a sector of a twisted mesh has an angle around the tube of its own and one from
+// the twist over a cut's height, and its ends are not pushed outwards: either angle may be half of
+// the one whose sagitta, r D^2/8, is the tolerance.
+int sectors_of(const Segment& segment, const SolidOptions& options, double facets_mm) {
   const double radius = segment.outer_radius_mm();
-  int sectors = sectors_for(radius, (has_arcs ? sector_share : 1) * options.tolerance_mm);
+  int sectors = sectors_for(radius, facets_mm);
   if (options.twist_rad_per_mm != 0 || options.stretch_radius != 1) {
     const double grown = radius * std::max(1.0, options.stretch_radius);
     const double share = options.twist_rad_per_mm != 0 ? 0.5 : 1.0;
@@ -74,29 +71,9 @@ Cutting cutting(const Segment& segment, const SolidOptions& options, const Plane
   return cut;
 }
 
-bool has_curves(const Lattice& lattice) {
-  return std::any_of(lattice.grids.begin(), lattice.grids.end(),
-                     [](const Grid& grid) { return is_curved(grid.path); });
-}
-
-// Arcs and fillets run in every direction.
-bool has_arcs(const Lattice& lattice) {
-  return lattice.fillet_mm > 0 || has_curves(lattice);
-}
-
-// Of chords, so that they stay within their share where they are seen: the error grows with the
-// radius. A fillet leans on chords of arcs, and adds its own.
-double flatness_of(const Segment& segment, const SolidOptions& options) {
-  const Lattice& lattice = *segment.lattice;
-  const double grown = std::max({1.0, options.stretch_radius, options.stretch});
-  const double share = lattice.fillet_mm > 0 && has_curves(lattice) ? 0.5 : 1;
-  return share * curve_share * options.tolerance_mm * segment.lattice_mid_radius_mm() /
-         (segment.outer_radius_mm() * grown);
-}
-
 // A helix is steepest at the smallest radius: its rise stays, its way around shrinks.
 double steepest_slant(const Segment& segment) {
-  if (has_arcs(*segment.lattice)) return 1;
+  if (has_curved_outlines(*segment.lattice)) return 1;
   const double shrunk = segment.liner_outer_radius_mm() / segment.lattice_mid_radius_mm();
   double steepest = 0;
   for (const Grid& grid : segment.lattice->grids) {
@@ -151,12 +128,12 @@ struct Fineness {
 LaidOut lay_out(const Segment& segment, const SolidOptions& options, const Layer& layer,
                 const Fineness& fineness) {
   const PlaneGrid grid = make_plane_grid(layer.circumference_mm, segment.length_mm,
-                                         sectors_of(segment, options, layer.has_arcs),
+                                         sectors_of(segment, options, layer.budget.facets_mm),
                                          fineness.step_mm, options.start_z_mm);
   check_widths(layer, grid);
   const Cutting cut = cutting(segment, options, grid);
   Region region = layer.united(grid, cut.heights);
-  const double tolerance = layer.wall_tolerance_mm / fineness.levels;
+  const double tolerance = layer.budget.walls_mm / fineness.levels;
   Relief relief{triangulate(region),
                 {wall_radii(layer.floor_mm, layer.ceiling_mm, grid.sector_angle_rad(),
                             layer.steepness, tolerance)},
@@ -169,12 +146,12 @@ LaidOut lay_out(const Segment& segment, const SolidOptions& options, const Layer
 // leave their surfaces by. A coarser grid joins such outlines, further levels keep walls apart.
 LaidOut lay_out_clear(const Segment& segment, const SolidOptions& options, const Layer& layer,
                       TriangleMesh& mesh) {
-  const double coarsest = std::min(coarsest_step_share * options.tolerance_mm,
-                                   layer.thinnest_strand_mm / (2 * fewest_steps_across));
+  const double coarsest =
+      std::min(layer.budget.coarsest_step_mm, layer.thinnest_strand_mm / (2 * fewest_steps_across));
   Fineness fineness;
   LaidOut laid_out = lay_out(segment, options, layer, fineness);
   mesh = wrap(laid_out.relief);
-  while (layer.has_arcs && fineness.step_mm < coarsest && intersects_itself(mesh)) {
+  while (layer.has_curves && fineness.step_mm < coarsest && intersects_itself(mesh)) {
     fineness = {std::min(coarsest, coarser * fineness.step_mm), 2 * fineness.levels};
     laid_out = lay_out(segment, options, layer, fineness);
     mesh = wrap(laid_out.relief);
@@ -229,36 +206,37 @@ Solid lattice_solid(const Segment& segment, const SolidOptions& options) {
 Solid lattice_solid(LatticeDrawing& drawing, const SolidOptions& options) {
   const Segment& segment = drawing.segment();
   const Lattice& lattice = *segment.lattice;
-  const double flatness = flatness_of(segment, options);
+  const double growth = std::max({1.0, options.stretch_radius, options.stretch});
+  const bool twisted = options.twist_rad_per_mm != 0 && !lattice.grids.empty();
+  const ToleranceBudget budget = lattice_budget(segment, options.tolerance_mm, growth, twisted);
   const auto united = [&](const PlaneGrid& grid, std::span<const std::int32_t> cuts) {
-    return drawing.united(flatness, grid, cuts, options.tolerance_mm);
+    return drawing.united(budget.drawing_mm, grid, cuts, budget.closing_mm);
   };
-  Layer layer{drawing.outlines(flatness).circumference_mm,
-              united,
-              segment.liner_outer_radius_mm(),
-              segment.outer_radius_mm(),
-              steepest_slant(segment),
-              (has_arcs(lattice) ? 1 - curve_share : 1) * options.tolerance_mm,
-              thinnest_strand_mm(lattice),
-              has_arcs(lattice)};
-  if (options.twist_rad_per_mm != 0 && !lattice.grids.empty()) {
-    // Along a cut's height walls turn as much again as around a sector. Flat ones, halved by a
-    // diagonal, then leave their surface by 1/4 of that in place of 1/16.
-    layer.steepness = 1;
-    layer.wall_tolerance_mm /= 4;
-  }
-  return wrap_layer(segment, options, layer);
+  return wrap_layer(segment, options,
+                    {.circumference_mm = drawing.outlines(budget.drawing_mm).circumference_mm,
+                     .united = united,
+                     .floor_mm = segment.liner_outer_radius_mm(),
+                     .ceiling_mm = segment.outer_radius_mm(),
+                     .budget = budget,
+                     .steepness = twisted ? 1 : steepest_slant(segment),
+                     .thinnest_strand_mm = thinnest_strand_mm(lattice),
+                     .has_curves = has_curved_outlines(lattice)});
 }
 
 Solid liner_solid(const Segment& segment, const SolidOptions& options) {
   const double inner = segment.inner_radius_mm();
   const double outer = segment.liner_outer_radius_mm();
+  const ToleranceBudget budget = layered_budget(options.tolerance_mm);
   const Pattern sleeve = draw_sleeve(0.5 * (inner + outer), segment.length_mm);
   const auto united = [&](const PlaneGrid& grid, std::span<const std::int32_t> cuts) {
-    return unite(sleeve, grid, cuts, options.tolerance_mm);
+    return unite(sleeve, grid, cuts, budget.closing_mm);
   };
   return wrap_layer(segment, options,
-                    {sleeve.circumference_mm, united, inner, outer, 0, options.tolerance_mm});
+                    {.circumference_mm = sleeve.circumference_mm,
+                     .united = united,
+                     .floor_mm = inner,
+                     .ceiling_mm = outer,
+                     .budget = budget});
 }
 
 }  // namespace latticast
