@@ -209,7 +209,7 @@ repeated_type_violations() {
 citation_violations() {
   { grep -E '\.(h|cpp|md|sh|py|js|mjs|gp|cmake)$|^dev$' || true; } |
     { grep -vE '^tests/end_to_end/structure_(check|test)\.sh$' || true; } |
-    { xargs -d '\n' -r grep -HnE '\[Wang\]|\[[A-Z][A-Za-z-]+ [12][0-9]{3}[a-z]?\]|docs/[A-Za-z0-9_/-]+\.md|^#+ ' || true; } |
+    { xargs -d '\n' -r grep -HnE '\[Wang\]|\[[A-Z][A-Za-z-]+ [12][0-9]{3}[a-z]?\]|docs/[A-Za-z0-9_/-]+\.md|MODEL\.md|^#+ ' || true; } |
     awk '
     function slug(text) {
       text = tolower(text)
@@ -227,7 +227,7 @@ citation_violations() {
         if (file == "docs/references.md" && match(line, /^- \*\*\[[^]]*\]/))
           key[substr(line, RSTART + 4, RLENGTH - 4)] = 1
       }
-      while (match(line, /\[Wang\]|\[[A-Z][A-Za-z-]+ [12][0-9][0-9][0-9][a-z]?\]|docs\/[A-Za-z0-9_\/-]+\.md(#[^][ )`"*,;]*[a-z0-9])?/)) {
+      while (match(line, /\[Wang\]|\[[A-Z][A-Za-z-]+ [12][0-9][0-9][0-9][a-z]?\]|docs\/[A-Za-z0-9_\/-]+\.md(#[^][ )`"*,;]*[a-z0-9])?|MODEL\.md/)) {
         cited[++count] = substr(line, RSTART, RLENGTH)
         where[count] = file ":" place[2] ": "
         line = substr(line, RSTART + RLENGTH)
