@@ -125,6 +125,7 @@ const Kind& kind_named(const std::string& name) {
 
 std::vector<std::string> new_kinds() {
   std::vector<std::string> names;
+  names.reserve(std::size(kinds));
   for (const Kind& kind : kinds) names.emplace_back(kind.name);
   return names;
 }

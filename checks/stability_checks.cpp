@@ -17,8 +17,9 @@ double largest_kpa(const LoadedSegment& loaded, bool suction) {
 
 const CriticalPoint* end_of_branch(const LoadedSegment& loaded, bool suction) {
   for (const CriticalPoint& point : loaded.response.critical_points) {
-    if (point.kind != CriticalKind::bifurcation && (point.pressure_kpa < 0) == suction)
+    if (point.kind != CriticalKind::bifurcation && (point.pressure_kpa < 0) == suction) {
       return &point;
+    }
   }
   return nullptr;
 }

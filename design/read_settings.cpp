@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <utility>
@@ -133,6 +134,7 @@ std::optional<Preview> read_preview(const Field& field, std::size_t segments) {
 
 std::vector<MeshFormat> read_formats(const Field& field) {
   std::vector<Word<MeshFormat>> words;
+  words.reserve(std::size(mesh_format_names));
   for (const MeshFormatName& known : mesh_format_names) words.push_back({known.name, known.format});
   // A list without duplicates cannot be longer than the words; the bound leaves room to name each
   // duplicate.

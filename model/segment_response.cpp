@@ -57,8 +57,9 @@ std::string limit_name(const CriticalState& point, double pressure_kpa) {
     return "bifurcation" + at + ": states " + (inflating ? "above" : "below") +
            " it on this branch are unstable";
   }
-  if (point.kind == CriticalKind::closure)
+  if (point.kind == CriticalKind::closure) {
     return "the bore closes" + at + ": no open state below it";
+  }
   const std::string beyond =
       std::string(": no equilibrium ") + (inflating ? "above" : "below") + " it on this branch";
   if (point.kind == CriticalKind::asymptote) return "growth without end" + at + beyond;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -15,7 +14,6 @@
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 enum class Sheet : std::uint8_t { lattice, rod, gates };
 
 // The rod, what stands on it as high as the lattice, and the gates through the rubber.

@@ -111,7 +111,7 @@ void add_columns(const Segment& segment, const Grid& grid, const LawsByShape& la
           strand_modulus_mpa(*segment.lattice) * width * segment.lattice->thickness_mm;
       continue;
     }
-    const auto law = laws.at(*link);
+    const auto& law = laws.at(*link);
     const auto same = std::find_if(rod.columns.begin(), rod.columns.end(),
                                    [&](const auto& column) { return column.law == law; });
     same == rod.columns.end() ? rod.columns.push_back({law, 1}) : void(++same->count);

@@ -78,7 +78,7 @@ Balance::Balance(const Section& section, Held held, const SolverOptions& options
   const int n = free_count();
   BalanceAt rest = *at(BranchPoint{});
   const std::span<double> speed = std::span(rest.load_vector).first(n);
-  solve_in_place(std::span(rest.tangent_stiffness).first(n * n), speed);
+  solve_in_place(std::span(rest.tangent_stiffness).first(entry_count(n)), speed);
   pressure_mpa_ = 1 / norm(speed);
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr int most_iterations = 12;
 
 /// Room for the free coordinates and the load.
-using BorderedMatrix = std::array<double, (coordinate_count + 1) * (coordinate_count + 1)>;
+using BorderedMatrix = std::array<double, entry_count(coordinate_count + 1)>;
 static_assert(coordinate_count + 1 <= largest_matrix);
 
 /// Derivatives of the residual by coordinates and load, closed by a plane's normal: regular also
@@ -21,17 +21,17 @@ static_assert(coordinate_count + 1 <= largest_matrix);
 void fill_bordered(std::span<double> matrix, const BalanceAt& balance, const BranchPoint& normal,
                    int n) {
   for (int j = 0; j < n; ++j) {
-    std::copy_n(&balance.tangent_stiffness[j * n], n, &matrix[j * (n + 1)]);
-    matrix[n * (n + 1) + j] = -balance.load_vector[j];
+    std::copy_n(&balance.tangent_stiffness[entry_at(0, j, n)], n, &matrix[entry_at(0, j, n + 1)]);
+    matrix[entry_at(j, n, n + 1)] = -balance.load_vector[j];
   }
-  for (int j = 0; j <= n; ++j) matrix[j * (n + 1) + n] = normal[j];
+  for (int j = 0; j <= n; ++j) matrix[entry_at(n, j, n + 1)] = normal[j];
 }
 
 void solve_bordered(const BalanceAt& balance, const BranchPoint& normal, BranchPoint& right,
                     int n) {
   BorderedMatrix matrix;
   fill_bordered(matrix, balance, normal, n);
-  solve_in_place(std::span(matrix).first((n + 1) * (n + 1)), std::span(right).first(n + 1));
+  solve_in_place(std::span(matrix).first(entry_count(n + 1)), std::span(right).first(n + 1));
 }
 
 /// The direction in which the residual stays zero, on the side of `guide`.
@@ -54,7 +54,7 @@ void examine_stability(const EquilibriumEquations& equations, BranchState& state
   const int n = equations.size;
   BalanceAt::Matrix stiffness = state.balance.tangent_stiffness;
   BalanceAt::Vector values{};
-  symmetric_eigenvalues(std::span(stiffness).first(n * n), std::span(values).first(n));
+  symmetric_eigenvalues(std::span(stiffness).first(entry_count(n)), std::span(values).first(n));
   state.smallest_eigenvalue = state.nearest_eigenvalue = values[0];
   for (int i = 0; i < n; ++i) count_eigenvalue(state, values[i]);
   state.nearest_solved_eigenvalue = state.nearest_eigenvalue;

@@ -18,14 +18,14 @@ BalanceAt::Vector nearly_free_direction(const BalanceAt& balance, int n) {
   BalanceAt::Matrix stiffness = balance.tangent_stiffness;
   BalanceAt::Vector values{};
   BalanceAt::Matrix vectors{};
-  symmetric_eigenvectors(std::span(stiffness).first(n * n), std::span(values).first(n),
-                         std::span(vectors).first(n * n));
+  symmetric_eigenvectors(std::span(stiffness).first(entry_count(n)), std::span(values).first(n),
+                         std::span(vectors).first(entry_count(n)));
   int nearest = 0;
   for (int i = 1; i < n; ++i) {
     if (std::abs(values[i]) < std::abs(values[nearest])) nearest = i;
   }
   BalanceAt::Vector direction{};
-  std::copy_n(&vectors[nearest * n], n, direction.begin());
+  std::copy_n(&vectors[entry_at(0, nearest, n)], n, direction.begin());
   return direction;
 }
 
@@ -64,7 +64,9 @@ bool extended_system(const EquilibriumEquations& equations, std::span<const doub
   if (!slope) return false;
 
   const int rows = 2 * n + 1;
-  const auto entry = [&](int row, int column) -> double& { return jacobian[column * rows + row]; };
+  const auto entry = [&](int row, int column) -> double& {
+    return jacobian[entry_at(row, column, rows)];
+  };
   std::fill(residual.begin(), residual.end(), 0.0);
   std::fill(jacobian.begin(), jacobian.end(), 0.0);
   residual[2 * n] = -0.5;
@@ -74,10 +76,10 @@ bool extended_system(const EquilibriumEquations& equations, std::span<const doub
     entry(j, n) = -at->load_vector[j];
     entry(2 * n, n + 1 + j) = v[j];
     for (int i = 0; i < n; ++i) {
-      const double stiffness = at->tangent_stiffness[j * n + i];
+      const double stiffness = at->tangent_stiffness[entry_at(i, j, n)];
       residual[n + i] += stiffness * v[j];
       entry(i, j) = stiffness;
-      entry(n + i, j) = (*slope)[j * n + i];
+      entry(n + i, j) = (*slope)[entry_at(i, j, n)];
       entry(n + i, n) -= at->load_stiffness[j * n + i] * v[j];
       entry(n + i, n + 1 + j) = stiffness;
     }

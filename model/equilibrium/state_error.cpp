@@ -16,7 +16,7 @@ double state_error(const Balance& balance, const BranchPoint& x, const BalanceAt
   const BalanceAt::Vector doubt = balance.doubt(x, at);
   BalanceAt::Matrix stiffness = at.tangent_stiffness;
   BalanceAt::Matrix inverse;
-  invert(std::span(stiffness).first(n * n), std::span(inverse).first(n * n));
+  invert(std::span(stiffness).first(entry_count(n)), std::span(inverse).first(entry_count(n)));
   double error = 0;
   double largest = 1;
   for (int i = 0; i < n; ++i) {

@@ -7,13 +7,22 @@
 // entries. Nothing is allocated.
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <span>
 
 namespace latticast {
 
 /// A section's five coordinates and the pressure are six unknowns.
 inline constexpr int largest_matrix = 6;
+
+/// Entries of an n x n matrix, and where (row, column) is among them.
+constexpr std::size_t entry_count(int n) {
+  return static_cast<std::size_t>(n) * static_cast<std::size_t>(n);
+}
+constexpr std::size_t entry_at(int row, int column, int n) {
+  return static_cast<std::size_t>(column) * static_cast<std::size_t>(n) +
+         static_cast<std::size_t>(row);
+}
 
 /// Solves matrix * x = right; `right` becomes x, `matrix` is destroyed. A singular matrix leaves
 /// entries that are not finite, or enormous.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The finite-element cell of a lattice at 36 degrees, rings 10 mm apart (docs/model.md#what-it-leaves-out).
+// The finite-element cell of a lattice at 36 degrees, rings 10 mm apart
+// (docs/model.md#what-it-leaves-out).
 #pragma once
 
 #include <fstream>
