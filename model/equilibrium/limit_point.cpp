@@ -64,15 +64,16 @@ bool extended_system(const EquilibriumEquations& equations, std::span<const doub
   if (!slope) return false;
 
   const int rows = 2 * n + 1;
+  const auto last = 2 * static_cast<std::size_t>(n);
   const auto entry = [&](int row, int column) -> double& {
     return jacobian[entry_at(row, column, rows)];
   };
   std::fill(residual.begin(), residual.end(), 0.0);
   std::fill(jacobian.begin(), jacobian.end(), 0.0);
-  residual[2 * n] = -0.5;
+  residual[last] = -0.5;
   for (int j = 0; j < n; ++j) {
     residual[j] = at->residual[j];
-    residual[2 * n] += 0.5 * v[j] * v[j];
+    residual[last] += 0.5 * v[j] * v[j];
     entry(j, n) = -at->load_vector[j];
     entry(2 * n, n + 1 + j) = v[j];
     for (int i = 0; i < n; ++i) {
