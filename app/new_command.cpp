@@ -43,8 +43,8 @@ constexpr std::array<Kind, 4> kinds{{
     width = { from = 2, to = 3, profile = "halves" }  # half of them 2 mm, half 3 mm
     horseshoe = { radius = 2.65625, arc = 180 }       # 16 arcs on 85 mm: columns that can stretch
 )",
-     .model = "columns = \"distributed\"                               # their stiffness, spread "
-              "over their sectors"},
+     .model = "columns = \"distributed\"                               # each is counted where "
+              "it stands"},
     {.name = "elongation",
      .meaning = "A tube that only lengthens: equal horseshoe columns straighten out",
      .families = R"(    [[segment.lattice.grid]]
@@ -53,8 +53,8 @@ constexpr std::array<Kind, 4> kinds{{
     width = 2
     horseshoe = { radius = 2.65625, arc = 180 }       # 16 arcs on 85 mm: columns that can stretch
 )",
-     .model = "columns = \"distributed\"                               # their stiffness, spread "
-              "over their sectors"},
+     .model = "columns = \"distributed\"                               # each is counted where "
+              "it stands"},
     {.name = "superimposed",
      .meaning = "A tube that lengthens, turns and bends at once: its centre line becomes a helix",
      .families = R"(    [[segment.lattice.grid]]
@@ -63,8 +63,8 @@ constexpr std::array<Kind, 4> kinds{{
     width = { from = 2, to = 4, profile = "cosine" }  # uneven: the tube bends
     horseshoe = { radius = 3.067, arc = 180 }         # stretchable: it lengthens; 16 arcs on 85 mm / sin 60
 )",
-     .model = "columns = \"distributed\"                               # their stiffness, spread "
-              "over their sectors",
+     .model = "columns = \"distributed\"                               # each is counted where "
+              "it stands",
      .most_kpa = 40},
 }};
 

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/geometry/pattern/strand_outline.h"
+
 namespace latticast {
 namespace {
 
@@ -18,27 +20,6 @@ HorseshoeColumn closed_column(double angle_deg, double arc_deg, bool alternate, 
   const double chord = length / std::sin(radians(angle_deg)) / arcs;
   const double radius = 0.5 * chord / std::sin(0.5 * radians(arc_deg));
   return {{radius, arc_deg, alternate}, 3.0, angle_deg, width_over_radius * radius, length};
-}
-
-double area(const Strand& strand) {
-  double twice = 0;
-  for (std::size_t i = 0; i < strand.outline.size(); ++i) {
-    const PlanePoint& a = strand.outline[i];
-    const PlanePoint& b = strand.outline[(i + 1) % strand.outline.size()];
-    twice += a.u * b.z - b.u * a.z;
-  }
-  return 0.5 * twice;
-}
-
-bool holds(const Strand& strand, PlanePoint p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < strand.outline.size(); ++i) {
-    const PlanePoint& a = strand.outline[i];
-    const PlanePoint& b = strand.outline[(i + 1) % strand.outline.size()];
-    if ((a.z > p.z) == (b.z > p.z)) continue;
-    if (p.u < a.u + (p.z - a.z) / (b.z - a.z) * (b.u - a.u)) inside = !inside;
-  }
-  return inside;
 }
 
 bool holds(const DrawnStrand& drawn, PlanePoint p) {

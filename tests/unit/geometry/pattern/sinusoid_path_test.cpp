@@ -14,32 +14,12 @@
 #include "design/units.h"
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/pattern/strand_path.h"
+#include "tests/unit/geometry/pattern/strand_outline.h"
 
 namespace latticast {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-double area(const Strand& strand) {
-  double twice = 0;
-  for (std::size_t i = 0; i < strand.outline.size(); ++i) {
-    const PlanePoint& a = strand.outline[i];
-    const PlanePoint& b = strand.outline[(i + 1) % strand.outline.size()];
-    twice += a.u * b.z - b.u * a.z;
-  }
-  return 0.5 * twice;
-}
-
-bool holds(const Strand& strand, PlanePoint p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < strand.outline.size(); ++i) {
-    const PlanePoint& a = strand.outline[i];
-    const PlanePoint& b = strand.outline[(i + 1) % strand.outline.size()];
-    if ((a.z > p.z) == (b.z > p.z)) continue;
-    if (p.u < a.u + (p.z - a.z) / (b.z - a.z) * (b.u - a.u)) inside = !inside;
-  }
-  return inside;
-}
 
 // Midpoints of a periodic function converge exponentially.
 double half_wave_length(double amplitude, double chord) {
