@@ -77,7 +77,7 @@ void make_part(Build& build, const RestPart& rest, const std::vector<PreviewShap
   parts.scene.animated = true;
 }
 
-void run(Build& build) {
+void preview(Build& build) {
   const Design& design = build.design();
   Delivery& delivery = build.delivery;
   const std::vector<PreviewShape> shapes = predict_preview(build.order.prepared.responses);
@@ -107,7 +107,7 @@ void make_preview(Build& build, std::vector<Task>& tasks) {
   const std::size_t segments = build.design().segments.size();
   build.delivery.expect_meshes(2 * segments * build.design().make.preview->cases.size());
   build.delivery.progress().expect(1);  // the picture
-  tasks.push_back({segments + 2, [&build] { run(build); }});
+  tasks.push_back({segments + 2, [&build] { preview(build); }});
 }
 
 }  // namespace latticast

@@ -7,7 +7,7 @@
 namespace latticast {
 namespace {
 
-void run(Build& build) {
+void report(Build& build) {
   Delivery& delivery = build.delivery;
   ReportData report;
   delivery.progress().begin("report: response");
@@ -30,7 +30,7 @@ void run(Build& build) {
 
 void make_report(Build& build, std::vector<Task>& tasks) {
   build.delivery.progress().expect(3);
-  tasks.push_back({build.design().segments.size() + 3, [&build] { run(build); }});
+  tasks.push_back({build.design().segments.size() + 3, [&build] { report(build); }});
 }
 
 }  // namespace latticast

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 
+#include "design/units.h"
 #include "tests/random_numbers.h"
 
 namespace latticast {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// Rising, evenly spaced in the logarithm.
 std::vector<double> decades(double low, double high, int count) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <variant>
 
 #include <fmt/core.h>
@@ -16,8 +15,6 @@
 
 namespace latticast {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// Bulges of one segment, found once for every pressure that is looked at.
 class Bulges {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "checks/bed_check.h"
 #include "checks/lattice_use.h"
 #include "checks/strand_checks.h"
+#include "design/units.h"
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/solid/arrangement.h"
 #include "molds/mold_options.h"
@@ -22,7 +22,6 @@
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double deepest_strap_mm = 1.5;
 constexpr double strap_share_of_wall = 1.0 / 3;
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/core.h>
 
@@ -15,8 +14,6 @@
 
 namespace latticast {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // A free rubber surface creases where compression along it, over the stretch square to it, falls
 // to 0.65^2, whatever the stretch along the crease: docs/checks.md.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <variant>
 
@@ -12,13 +11,13 @@
 
 #include "checks/strand_stations.h"
 #include "design/material/drucker.h"
+#include "design/units.h"
 #include "model/shape/inflated_wall.h"
 #include "model/strand/links.h"
 
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double largest_limit_use =
     0.9;  // from here a Gent rubber's stress grows more than tenfold
 constexpr double largest_lock_use = 0.95;

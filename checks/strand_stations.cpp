@@ -3,14 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "design/units.h"
 #include "model/shape/inflated_wall.h"
 
 namespace latticast {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 bool winds_with_bending(const Segment& segment, const Grid& grid, const State& state) {
   const double angle = grid.angle_rad();

@@ -16,7 +16,13 @@ endif()
 add_library(latticast_settings INTERFACE)
 target_compile_features(latticast_settings INTERFACE cxx_std_20)
 target_include_directories(latticast_settings INTERFACE "${CMAKE_SOURCE_DIR}")
-target_compile_options(latticast_settings INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
+target_compile_options(latticast_settings INTERFACE -Wall -Wextra -Wpedantic)
+# Sources compiled together share their private names; two that clash do not compile, one that hides another is harmless.
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(latticast_settings INTERFACE -Wno-subobject-linkage)
+else()
+  target_compile_options(latticast_settings INTERFACE -Wshadow)
+endif()
 # g++ 12.2 drops the rounding of neighbouring double -> float -> double conversions when it vectorizes
 # straight-line code; mesh files and their audit depend on that rounding.
 target_compile_options(latticast_settings INTERFACE
@@ -48,19 +54,28 @@ target_precompile_headers(latticast_standard_headers PRIVATE
   <algorithm> <array> <charconv> <cmath> <cstddef> <cstdint> <filesystem> <functional> <limits> <map> <memory> <numbers>
   <numeric> <optional> <set> <span> <stdexcept> <string> <string_view> <utility> <variant> <vector>)
 
+# latticast_rooms(TARGET SOURCE...): with CMAKE_UNITY_BUILD=ON, the sources of one folder compile as one: what they all
+# include is read once. Their private names must therefore differ. Off for daily work, where one source changes at a time
+# and clang-tidy wants each alone.
+function(latticast_rooms TARGET)
+  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD_MODE GROUP)
+  foreach(SOURCE ${ARGN})
+    if(IS_ABSOLUTE "${SOURCE}") # generated
+      continue()
+    endif()
+    get_filename_component(FOLDER "${SOURCE}" DIRECTORY)
+    string(MAKE_C_IDENTIFIER "room_${FOLDER}" ROOM)
+    set_source_files_properties("${SOURCE}" PROPERTIES UNITY_GROUP ${ROOM})
+  endforeach()
+endfunction()
+
 # latticast_library(NAME SOURCES ... LINKS ... PRIVATE ...)
 #   LINKS:   targets of ours whose headers appear in this one's headers
 #   PRIVATE: third-party targets, seen by this target's sources alone
 function(latticast_library NAME)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE" ${ARGN})
   add_library(${NAME} STATIC ${ARG_SOURCES})
+  latticast_rooms(${NAME} ${ARG_SOURCES})
   target_link_libraries(${NAME} PUBLIC latticast_settings ${ARG_LINKS} PRIVATE ${ARG_PRIVATE})
   target_precompile_headers(${NAME} REUSE_FROM latticast_standard_headers)
-endfunction()
-
-# latticast_together(TARGET SOURCE...): compiles sources that include the same heavy headers as one, which costs little more
-# than one of them alone.
-function(latticast_together TARGET)
-  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  set_source_files_properties(${ARGN} PROPERTIES UNITY_GROUP heavy)
 endfunction()

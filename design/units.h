@@ -7,12 +7,14 @@
 
 namespace latticast {
 
+inline constexpr double pi = std::numbers::pi;
+
 constexpr double radians(double degrees) {
-  return degrees * std::numbers::pi / 180;
+  return degrees * pi / 180;
 }
 
 constexpr double degrees(double radians) {
-  return radians * (180 / std::numbers::pi);
+  return radians * (180 / pi);
 }
 
 constexpr double mpa_from_kpa(double kpa) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
+#include <string>
 
 namespace latticast {
 
@@ -10,5 +12,10 @@ namespace latticast {
 struct UnsupportedDesign : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// How messages name a segment's grid.
+inline std::string grid_name(std::size_t index) {
+  return "grid " + std::to_string(index);
+}
 
 }  // namespace latticast

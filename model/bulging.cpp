@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <optional>
 #include <variant>
 
@@ -18,12 +17,11 @@
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double shear_factor = 5.0 / 6;  // of a rectangular section
 constexpr double highest_by_gap = 2;      // heights looked at
 constexpr double highest_by_radius = 4;
 constexpr int heights = 24;
-constexpr int most_iterations = 40;
+constexpr int most_bulge_iterations = 40;
 constexpr int wall_points = 6;
 
 /// (sigma_n - sigma_r)/(s_n^2 - s_r^2), n across the gap and r across the wall, in the plane of
@@ -120,7 +118,7 @@ class RoundWall {
     const double rubber =
         std::pow(wall_.liner_outer_radius_mm, 2) - std::pow(wall_.inner_radius_mm, 2);
     Deformation at = rest_;
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    for (int iteration = 0; iteration < most_bulge_iterations; ++iteration) {
       const double stretch = 1 + at.elongation;
       const double bore = std::sqrt(outer_squared - rubber / stretch);
       at.inner_growth = bore - wall_.inner_radius_mm;
@@ -290,7 +288,7 @@ Bulge between_strands(const Place& place, const Section& section, std::size_t gr
   const double angle = strands.angle_rad();
   const RoundWall wall(rubber_alone(section), place.outside, place.state, false);
   Bulge bulge;
-  bulge.members = "grid " + std::to_string(grid);
+  bulge.members = grid_name(grid);
   bulge.gap_mm = widest_strand_gap_mm(strands, place.layer, angle);
   Section alone = without_rings(section);
   alone.families = {section.families[grid]};

@@ -122,9 +122,9 @@ std::vector<std::size_t> requests_of_sign(std::span<const double> pressures_kpa,
   return order;
 }
 
-class Prediction {
+class ResponseSolver {
  public:
-  Prediction(const Section& section, double length_mm, Held held, const SolverOptions& options)
+  ResponseSolver(const Section& section, double length_mm, Held held, const SolverOptions& options)
       : branch_(section, held, options), held_(held), length_mm_(length_mm) {}
 
   void report_solved(Response& response) const {
@@ -222,10 +222,10 @@ Response predict(const PreparedSegment& segment, std::span<const double> pressur
     predict_rods(*rods, segment.length_mm, pressures_kpa, held, response);
     return response;
   }
-  Prediction prediction(std::get<Section>(segment.section), segment.length_mm, held, options);
-  prediction.report_solved(response);
-  prediction.follow(pressures_kpa, false, response);
-  prediction.follow(pressures_kpa, true, response);
+  ResponseSolver solver(std::get<Section>(segment.section), segment.length_mm, held, options);
+  solver.report_solved(response);
+  solver.follow(pressures_kpa, false, response);
+  solver.follow(pressures_kpa, true, response);
   return response;
 }
 

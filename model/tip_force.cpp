@@ -14,7 +14,7 @@ namespace latticast {
 namespace {
 
 constexpr int steps = 64;
-constexpr int most_iterations = 30;
+constexpr int most_tip_iterations = 30;
 constexpr double difference = 1e-6;
 
 double largest(std::span<const double> vector) {
@@ -58,7 +58,7 @@ class PlanarSection {
                                            coordinate::inner_growth};
     const std::array scale = {1.0, 1 / section.outer_radius_mm, section.inner_radius_mm};
     const std::array loads = {force_n, moment_nmm, 0.0};
-    for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    for (int iteration = 0; iteration < most_tip_iterations; ++iteration) {
       const auto stored = stored_energy(section, quadrature_, at_, active);
       if (!stored) return false;
       const SectionEnergy cavity = cavity_growth(section, at_);
@@ -89,23 +89,23 @@ class PlanarSection {
 };
 
 /// Seen from the tip: angle of the tangent, and how far the tip is ahead along and across.
-using Place = std::array<double, 3>;
+using RodState = std::array<double, 3>;
 
-std::optional<Place> slope(PlanarSection& section, const Place& place, double force_n) {
+std::optional<RodState> slope(PlanarSection& section, const RodState& place, double force_n) {
   const double sine = std::sin(place[0]);
   if (!section.load(force_n * sine, -force_n * place[1])) return std::nullopt;
-  return Place{section.bend(), section.stretch() * std::cos(place[0]), section.stretch() * sine};
+  return RodState{section.bend(), section.stretch() * std::cos(place[0]), section.stretch() * sine};
 }
 
-Place moved(const Place& from, const Place& slope, double by) {
+RodState moved(const RodState& from, const RodState& slope, double by) {
   return {from[0] + by * slope[0], from[1] + by * slope[1], from[2] + by * slope[2]};
 }
 
 /// The base, for a tip of given angle under a given force.
-std::optional<Place> base(PlanarSection section, double length_mm, double tip_angle,
-                          double force_n) {
+std::optional<RodState> base(PlanarSection section, double length_mm, double tip_angle,
+                             double force_n) {
   const double h = length_mm / steps;
-  Place place = {tip_angle, 0, 0};
+  RodState place = {tip_angle, 0, 0};
   for (int i = 0; i < steps; ++i) {
     const auto a = slope(section, place, force_n);
     if (!a) return std::nullopt;
@@ -151,7 +151,7 @@ std::optional<TipForce> blocked_tip_force(const PreparedSegment& segment, double
   const double unit = 1.5 * stiffness * bend / (length * free->stretch);
   double angle = -0.25 * bend * length;
   double force = 1;  // in `unit`
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < most_tip_iterations; ++i) {
     const auto at = base(section, length, angle, force * unit);
     const auto turned = base(section, length, angle + difference, force * unit);
     const auto pushed = base(section, length, angle, (force + difference) * unit);

@@ -15,7 +15,7 @@ namespace {
 constexpr int sectors_around = 48;
 constexpr double closing_mm = 0.01;
 constexpr double level_mm = 0.05;
-constexpr double whole_turn = 0.9;  // a plateau that reaches this far around is a ring
+constexpr double nearly_whole_turn = 0.9;  // a plateau that reaches this far around is a ring
 
 // What a bore may be, and how it sits in its strand.
 struct BoreKind {
@@ -252,7 +252,7 @@ std::vector<double> vent_places(const Plateau& plateau, const std::vector<double
                                 double circumference, double spacing) {
   std::vector<double> places;
   const double extent = plateau.to_u - plateau.from_u;
-  if (extent > whole_turn * circumference) {
+  if (extent > nearly_whole_turn * circumference) {
     places.reserve(around_rad.size());
     for (const double angle : around_rad) {
       places.push_back(angle * circumference / (2 * std::numbers::pi));

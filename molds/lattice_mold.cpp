@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -17,7 +16,6 @@
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double shortest_land_mm = 4;
 constexpr double socket_mm = 5;
 constexpr double floor_mm = 4;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 #include <fmt/format.h>
 
+#include "design/units.h"
 #include "geometry/solid/layered_solid.h"
 #include "molds/cannot_mold.h"
 #include "molds/mold_rings.h"
@@ -17,10 +17,8 @@
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 constexpr double strap_mm = 6;
-constexpr double tooth_pitch_mm = 12;
+constexpr double flange_tooth_pitch_mm = 12;
 constexpr double narrowest_piece_mm = 0.5;
 
 struct Frame {
@@ -64,7 +62,8 @@ Frame make_frame(const LinerCavity& cavity, const LinerMoldOptions& options) {
 // teeth lean, so that the pieces find each other.
 std::vector<PlanePoint> seam(const Frame& frame) {
   constexpr ToothCorner tooth[] = {{-1, 0.2}, {1, 0.3}, {1, 0.7}, {-1, 0.8}};
-  return toothed_line(frame.cavity.height_mm, tooth_pitch_mm, 0.5 * frame.tooth_mm, -1, tooth);
+  return toothed_line(frame.cavity.height_mm, flange_tooth_pitch_mm, 0.5 * frame.tooth_mm, -1,
+                      tooth);
 }
 
 Strand shell_outline(const Frame& frame, int piece) {
@@ -88,21 +87,21 @@ std::vector<double> strap_grooves(const Frame& frame) {
   return {};
 }
 
-enum class Sheet : std::uint8_t { piece, straps, flanges };
+enum class FlangedSheet : std::uint8_t { piece, straps, flanges };
 
 // Layers of a shell with flanges; without them it has the two outer ones, counted from 0.
-enum class ShellLayer : std::uint8_t { between_flanges, wall, outside };
+enum class FlangedLayer : std::uint8_t { between_flanges, wall, outside };
 
 Layers flanged_shell_layers(unsigned sheets) {
-  if (!has(sheets, Sheet::piece)) return 0;
-  Layers material = only(ShellLayer::wall);
-  if (!has(sheets, Sheet::straps)) material |= only(ShellLayer::outside);
-  if (!has(sheets, Sheet::flanges)) material |= only(ShellLayer::between_flanges);
+  if (!has(sheets, FlangedSheet::piece)) return 0;
+  Layers material = only(FlangedLayer::wall);
+  if (!has(sheets, FlangedSheet::straps)) material |= only(FlangedLayer::outside);
+  if (!has(sheets, FlangedSheet::flanges)) material |= only(FlangedLayer::between_flanges);
   return material;
 }
 
 Layers plain_shell_layers(unsigned sheets) {
-  return flanged_shell_layers(sheets) >> static_cast<unsigned>(ShellLayer::wall);
+  return flanged_shell_layers(sheets) >> static_cast<unsigned>(FlangedLayer::wall);
 }
 
 Solid shell_solid(const Frame& frame, int piece) {

@@ -9,10 +9,10 @@
 namespace latticast {
 namespace {
 
-enum class Sheet : std::uint8_t { whole, beside_socket, rim, openings };
-constexpr unsigned beside_socket = only(Sheet::beside_socket);
-constexpr unsigned rim = only(Sheet::rim);
-constexpr unsigned opening = only(Sheet::openings);
+enum class RingSheet : std::uint8_t { whole, beside_socket, rim, openings };
+constexpr unsigned beside_socket = only(RingSheet::beside_socket);
+constexpr unsigned rim = only(RingSheet::rim);
+constexpr unsigned opening = only(RingSheet::openings);
 
 // From the plate's outer face towards the cavity: floor, socket, rim.
 Pattern upside(const Pattern& pattern, bool upwards) {
@@ -32,7 +32,7 @@ struct PlateLayers {
 
   Layers operator()(unsigned sheets) const {
     Layers material = 0;
-    if (!has(sheets, Sheet::whole)) return material;
+    if (!has(sheets, RingSheet::whole)) return material;
     for (std::size_t i = 0; i < absent.size(); ++i) {
       if ((sheets & absent[i]) == 0) material |= only(i);
     }

@@ -3,14 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "design/units.h"
 #include "molds/strand_map.h"
 
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr int fewest_pieces = 2;
 constexpr int most_pieces = 12;
 constexpr int turns_tried = 32;

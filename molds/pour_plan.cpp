@@ -15,7 +15,7 @@ namespace {
 
 constexpr double mm3_per_ml = 1000;
 
-bool has(const Mold& mold, std::string_view name) {
+bool has_piece(const Mold& mold, std::string_view name) {
   return std::any_of(mold.pieces.begin(), mold.pieces.end(),
                      [&](const MoldPiece& piece) { return piece.name == name; });
 }
@@ -98,7 +98,7 @@ std::string preparation(const Casting& casting) {
 std::string assembly(const Casting& casting) {
   const Mold& mold = casting.mold;
   std::vector<std::string> steps;
-  if (has(mold, "core")) {
+  if (has_piece(mold, "core")) {
     steps.push_back(fmt::format("Set the {} into the socket of the base.", casting.inside));
   } else {
     steps.emplace_back("Set the base down, its core upwards.");
@@ -112,7 +112,7 @@ std::string assembly(const Casting& casting) {
   steps.emplace_back(
       "Seal the seams and the joint at the base from outside with tape or plasticine without "
       "sulfur.");
-  if (has(mold, "core")) {
+  if (has_piece(mold, "core")) {
     steps.push_back(fmt::format("Press on the cap: its socket takes the {}, its rim the shell.",
                                 casting.inside));
   } else {
@@ -128,7 +128,7 @@ std::string filling_step(const Casting& casting) {
            "it. "
            "Then plug the lowest bore.";
   }
-  const bool has_core = has(casting.mold, "core");
+  const bool has_core = has_piece(casting.mold, "core");
   return fmt::format(
       "Stand the mold upright and level. Pour a thin stream through {}, so that air leaves by the "
       "others, until rubber rises in all of them.",
@@ -155,7 +155,7 @@ std::string demolding(const Casting& casting) {
       steps.emplace_back("Pull the cap upwards.");
     } else if (piece->name == "base") {
       steps.emplace_back(
-          has(casting.mold, "core")
+          has_piece(casting.mold, "core")
               ? "Pull the base downwards."
               : "Pull the base downwards, and its core with it; air or water between "
                 "core and rubber helps.");

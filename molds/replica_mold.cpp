@@ -14,16 +14,16 @@
 namespace latticast {
 namespace {
 
-enum class Sheet : std::uint8_t { lattice, rod, gates };
+enum class PatternSheet : std::uint8_t { lattice, rod, gates };
 
 // The rod, what stands on it as high as the lattice, and the gates through the rubber.
 enum class PatternLayer : std::uint8_t { rod, lattice, gates };
 
 Layers pattern_layers(unsigned sheets) {
-  if (!has(sheets, Sheet::rod)) return 0;
+  if (!has(sheets, PatternSheet::rod)) return 0;
   Layers material = only(PatternLayer::rod);
-  if (has(sheets, Sheet::gates)) material |= only(PatternLayer::gates);
-  if (has(sheets, Sheet::lattice) || has(sheets, Sheet::gates)) {
+  if (has(sheets, PatternSheet::gates)) material |= only(PatternLayer::gates);
+  if (has(sheets, PatternSheet::lattice) || has(sheets, PatternSheet::gates)) {
     material |= only(PatternLayer::lattice);
   }
   return material;

@@ -11,17 +11,17 @@
 namespace latticast {
 namespace {
 
-enum class Sheet : std::uint8_t { lattice, piece, bores, straps };
+enum class ShellSheet : std::uint8_t { lattice, piece, bores, straps };
 
 // Lands between the lattice's grooves, the wall behind the grooves, and what the straps' grooves
 // are cut into.
 enum class ShellLayer : std::uint8_t { lands, wall, outside };
 
 Layers shell_layers(unsigned sheets) {
-  if (!has(sheets, Sheet::piece) || has(sheets, Sheet::bores)) return 0;
+  if (!has(sheets, ShellSheet::piece) || has(sheets, ShellSheet::bores)) return 0;
   Layers material = only(ShellLayer::wall);
-  if (!has(sheets, Sheet::lattice)) material |= only(ShellLayer::lands);
-  if (!has(sheets, Sheet::straps)) material |= only(ShellLayer::outside);
+  if (!has(sheets, ShellSheet::lattice)) material |= only(ShellLayer::lands);
+  if (!has(sheets, ShellSheet::straps)) material |= only(ShellLayer::outside);
   return material;
 }
 

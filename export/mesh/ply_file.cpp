@@ -21,7 +21,7 @@
 namespace latticast {
 namespace {
 
-std::string header_text(const TriangleMesh& mesh, bool coloured) {
+std::string ply_header(const TriangleMesh& mesh, bool coloured) {
   std::string text = "ply\nformat binary_little_endian 1.0\ncomment unit mm\nelement vertex " +
                      std::to_string(mesh.vertices.size()) +
                      "\nproperty float x\nproperty float y\nproperty float z\n";
@@ -140,7 +140,7 @@ class BinaryValues {
 };
 
 /// What becomes of a property: a coordinate (0, 1, 2), the corners of a face, or nothing.
-constexpr int corners = 3;
+constexpr int use_as_corners = 3;
 constexpr int passed_over = -1;
 
 int use_of(const PlyElement& element, const PlyProperty& property) {
@@ -152,7 +152,7 @@ int use_of(const PlyElement& element, const PlyProperty& property) {
   const bool names_corners = property.name == "vertex_indices" || property.name == "vertex_index";
   if (element.name == "face" && names_corners && property.list_length &&
       is_integer(property.type)) {
-    return corners;
+    return use_as_corners;
   }
   return passed_over;
 }
@@ -204,7 +204,7 @@ class BodyReader {
     Point point{};
     for (std::size_t i = 0; i < uses.size(); ++i) {
       const PlyProperty& property = element.properties[i];
-      if (uses[i] == corners) {
+      if (uses[i] == use_as_corners) {
         read_face(property);
       } else if (uses[i] != passed_over) {
         point[uses[i]] = values_.number(property.type);
@@ -261,7 +261,7 @@ class BodyReader {
 }  // namespace
 
 std::string encode_ply(const TriangleMesh& mesh, std::span<const Colour> colours) {
-  const std::string header = header_text(mesh, !colours.empty());
+  const std::string header = ply_header(mesh, !colours.empty());
   const std::size_t vertex_size = colours.empty() ? 12 : 15;
   constexpr std::size_t face_size = 13;
   std::string bytes = header;

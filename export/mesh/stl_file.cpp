@@ -17,7 +17,7 @@ constexpr std::size_t header_size = 80;
 constexpr std::size_t preamble_size = header_size + 4;
 constexpr std::size_t facet_size = 50;
 // Anything but "solid", by which readers know text STL.
-constexpr std::string_view header_text = "binary STL, unit mm";
+constexpr std::string_view stl_header = "binary STL, unit mm";
 
 using Vector = std::array<float, 3>;
 
@@ -167,7 +167,7 @@ TriangleMesh decode_binary(const std::filesystem::path& file, std::string_view b
 
 std::string encode_stl(const TriangleMesh& mesh) {
   std::string bytes(preamble_size + facet_size * mesh.triangles.size(), '\0');
-  header_text.copy(bytes.data(), header_text.size());
+  stl_header.copy(bytes.data(), stl_header.size());
   char* out = put_little_endian(bytes.data() + header_size, mesh.triangles.size(), 4);
   for (const Triangle& triangle : mesh.triangles) {
     const Vector a = rounded(mesh.vertices[triangle[0]]);

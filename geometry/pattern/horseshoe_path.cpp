@@ -12,7 +12,7 @@
 namespace latticast {
 namespace {
 
-constexpr double widest_step = 0.5;  // in radians; the error of chords is a series in the step
+constexpr double widest_arc_step = 0.5;  // in radians; the error of chords is a series in the step
 constexpr int samples_per_arc = 256;
 constexpr double worst_sag = 1.05;
 
@@ -34,7 +34,7 @@ double outward_factor(double step, int steps) {
 int flat_steps(double radius, double arc, double flatness) {
   const auto off = [&](int steps) {
     const double step = arc / steps;
-    return step > widest_step ? HUGE_VAL : radius * (outward_factor(step, steps) - 1);
+    return step > widest_arc_step ? HUGE_VAL : radius * (outward_factor(step, steps) - 1);
   };
   int steps = std::max(2, static_cast<int>(arc / std::sqrt(12 * flatness / radius)));
   while (off(steps) > flatness) ++steps;

@@ -13,7 +13,6 @@ namespace latticast {
 namespace {
 
 constexpr double closing_tolerance = 2e-3;  // relative change of the radius that goes unsaid
-constexpr double trial_flatness = 0.01;     // of the strand's width
 constexpr int most_more_arcs = 200;         // tried, to keep a strand in one piece
 
 double whole_arcs(const HorseshoeColumn& column) {
@@ -39,7 +38,7 @@ bool runs_into_own_arcs(const HorseshoeColumn& column) {
 }
 
 bool in_one_piece(const HorseshoeColumn& column) {
-  return draw_strand(column, trial_flatness * column.width_mm).in_one_piece;
+  return draw_strand(column, trial_flatness_mm(column.width_mm)).in_one_piece;
 }
 
 std::string fold_problem(const HorseshoeColumn& column) {

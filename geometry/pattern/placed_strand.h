@@ -30,6 +30,11 @@ struct DrawnStrand {
   bool in_one_piece = true;   ///< false: a link reaches past an end so far that it parts the strand
 };
 
+/// Flatness that is fine enough to tell whether a strand is in one piece.
+constexpr double trial_flatness_mm(double width_mm) {
+  return 0.01 * width_mm;
+}
+
 /// Where a strand's links are drawn: s along its chord line, t to the right of it.
 struct StrandFrame {
   PlanePoint origin;

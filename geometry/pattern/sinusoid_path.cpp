@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include <fmt/core.h>
@@ -15,13 +14,11 @@
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double widest_step = 0.4;  // in rad of the wave's phase
+constexpr double widest_phase_step = 0.4;  // in rad of the wave's phase
 constexpr int samples_per_wave = 96;
 constexpr double sample_step = 0.1;         // in rad, between trial feet of a perpendicular
 constexpr double fully_stretched = 1.001;   // length over chord that is left
 constexpr double measured_to_worst = 1.05;  // chords are measured at a few places only
-constexpr double trial_flatness = 0.01;     // of the strand's width
 constexpr double amplitude_step = 0.02;     // of the amplitude, between remedies that are tried
 
 // One half wave with s = scale x, t = scale slope sin(x), x from 0 to pi.
@@ -151,7 +148,7 @@ Edges edges_of(const SinusoidStrand& strand, double flatness) {
   const Wave wave = wave_of(strand);
   const double half = 0.5 * strand.width_mm;
   const double bend = wave.amplitude() * (1 + half * wave.curvature(0.5 * pi));
-  const double widest = widest_step / std::max(1.0, wave.slope);
+  const double widest = widest_phase_step / std::max(1.0, wave.slope);
   const double guess = std::max(pi / widest, pi * std::sqrt(bend / (12 * flatness)));
   for (int steps = std::max(4, static_cast<int>(guess));; steps += 1 + steps / 16) {
     Edges edges{steps, Edge(wave, half, steps), Edge(wave, -half, steps)};
@@ -179,7 +176,7 @@ std::string fold_problem(const SinusoidStrand& strand) {
 }
 
 bool in_one_piece(const SinusoidStrand& strand) {
-  return draw_strand(strand, trial_flatness * strand.width_mm).in_one_piece;
+  return draw_strand(strand, trial_flatness_mm(strand.width_mm)).in_one_piece;
 }
 
 std::string parted_problem(const SinusoidStrand& strand) {

@@ -15,7 +15,6 @@ namespace latticast {
 namespace {
 
 constexpr int few_sectors = 4;  // sectors only cut outlines; a quarter of the way around is exact
-constexpr double fewest_steps_across = 16;
 constexpr int most_slit_rounds = 16;
 
 // A grid point of the slit plane, u counted from the slit all the way across.
@@ -40,16 +39,13 @@ struct PieceLoops {
   std::vector<Loop> holes;
 };
 
-std::int64_t cross(SlitPoint a, SlitPoint b, SlitPoint c) {
+std::int64_t turn(SlitPoint a, SlitPoint b, SlitPoint c) {
   return (b.u - a.u) * (c.z - a.z) - (b.z - a.z) * (c.u - a.u);
 }
 
 void check_widths(const Lattice& lattice, const PlaneGrid& grid) {
-  double thinnest = lattice.rings ? lattice.rings->width_mm : HUGE_VAL;
-  for (const Grid& family : lattice.grids) {
-    for (const double width : family.widths_mm) thinnest = std::min(thinnest, width);
-  }
-  const double least = fewest_steps_across * std::max(grid.u_step_mm, grid.z_step_mm);
+  const double thinnest = thinnest_strand_mm(lattice);
+  const double least = least_width_mm(grid);
   if (thinnest >= least) return;
   throw GeometryError("a strand or ring of " + std::to_string(thinnest) +
                       " mm is too thin to be drawn on a sheet this large; here it needs at least " +
@@ -77,8 +73,7 @@ Strand diamond(double z_mm, double half_mm, double length_mm) {
 }
 
 Region slit_region(LatticeDrawing& drawing, const ToleranceBudget& budget, const PlaneGrid& grid) {
-  const double half =
-      std::max(budget.closing_mm, fewest_steps_across * std::max(grid.u_step_mm, grid.z_step_mm));
+  const double half = std::max(budget.closing_mm, least_width_mm(grid));
   Region region = drawing.united(budget.drawing_mm, grid, {}, budget.closing_mm);
   Pattern pattern = drawing.outlines(budget.drawing_mm);
   for (int round = 0; round < most_slit_rounds; ++round) {
@@ -135,7 +130,7 @@ Loop without_straight_points(const Loop& loop, std::int64_t far_u) {
   const std::size_t n = loop.size();
   for (std::size_t i = 0; i < n; ++i) {
     const bool on_slit = loop[i].u == 0 || loop[i].u == far_u;
-    if (on_slit || cross(loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n]) != 0) {
+    if (on_slit || turn(loop[(i + n - 1) % n], loop[i], loop[(i + 1) % n]) != 0) {
       kept.push_back(loop[i]);
     }
   }
@@ -144,7 +139,7 @@ Loop without_straight_points(const Loop& loop, std::int64_t far_u) {
 
 std::int64_t twice_area(const Loop& loop) {
   std::int64_t sum = 0;
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) sum += cross(loop[0], loop[i], loop[i + 1]);
+  for (std::size_t i = 1; i + 1 < loop.size(); ++i) sum += turn(loop[0], loop[i], loop[i + 1]);
   return sum;
 }
 
@@ -177,7 +172,7 @@ bool surrounds(const Loop& loop, SlitPoint point) {
   for (std::size_t i = 0, j = loop.size() - 1; i < loop.size(); j = i++) {
     if ((loop[i].z > point.z) == (loop[j].z > point.z)) continue;
     const bool upwards = loop[i].z > loop[j].z;
-    const std::int64_t side = cross(loop[j], loop[i], point);
+    const std::int64_t side = turn(loop[j], loop[i], point);
     if (upwards ? side > 0 : side < 0) inside = !inside;
   }
   return inside;

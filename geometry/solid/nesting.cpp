@@ -4,44 +4,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include "geometry/solid/box_tree.h"
+#include "geometry/solid/exact_kernel.h"
 
 namespace latticast {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
-struct Box {
-  Point low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  Point high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-
-  bool surrounds(const Box& box) const {
-    for (int i = 0; i < 3; ++i) {
-      if (low[i] >= box.low[i] || high[i] <= box.high[i]) return false;
-    }
-    return true;
+bool surrounds(const Box<3>& outer, const Box<3>& inner) {
+  for (int i = 0; i < 3; ++i) {
+    if (outer.low[i] >= inner.low[i] || outer.high[i] <= inner.high[i]) return false;
   }
-};
+  return true;
+}
 
-Box box_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& body) {
-  Box box;
+Box<3> box_of(const TriangleMesh& mesh, const std::vector<std::uint32_t>& body) {
+  Box<3> box;
   for (const std::uint32_t t : body) {
-    for (const std::uint32_t v : mesh.triangles[t]) {
-      for (int i = 0; i < 3; ++i) {
-        box.low[i] = std::min(box.low[i], mesh.vertices[v][i]);
-        box.high[i] = std::max(box.high[i], mesh.vertices[v][i]);
-      }
-    }
+    for (const std::uint32_t v : mesh.triangles[t]) box.add(mesh.vertices[v]);
   }
   return box;
 }
 
-Kernel::Point_2 seen_along_x(const Point& p) {
+ExactKernel::Point_2 seen_along_x(const Point& p) {
   return {p[1], p[2]};
-}
-
-Kernel::Point_3 exact(const Point& p) {
-  return {p[0], p[1], p[2]};
 }
 
 // +1 or -1 where the side from a to b, seen along x, passes p on the right, going up or down. A
@@ -82,14 +67,14 @@ int winding(const TriangleMesh& mesh, const std::vector<std::uint32_t>& body, co
 
 std::vector<int> surrounding_winding(const TriangleMesh& mesh,
                                      const std::vector<std::vector<std::uint32_t>>& bodies) {
-  std::vector<Box> boxes;
+  std::vector<Box<3>> boxes;
   boxes.reserve(bodies.size());
   for (const auto& body : bodies) boxes.push_back(box_of(mesh, body));
   std::vector<int> windings(bodies.size(), 0);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Point& p = mesh.vertices[mesh.triangles[bodies[i].front()][0]];
     for (std::size_t j = 0; j < bodies.size(); ++j) {
-      if (boxes[j].surrounds(boxes[i])) windings[i] += winding(mesh, bodies[j], p);
+      if (surrounds(boxes[j], boxes[i])) windings[i] += winding(mesh, bodies[j], p);
     }
   }
   return windings;

@@ -35,4 +35,8 @@ PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int sectors
   return grid;
 }
 
+double least_width_mm(const PlaneGrid& grid) {
+  return fewest_steps_across * std::max(grid.u_step_mm, grid.z_step_mm);
+}
+
 }  // namespace latticast

@@ -36,6 +36,10 @@ inline constexpr double finest_step_mm = 2e-5;
 PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int sectors,
                           double step_mm = finest_step_mm, double start_z_mm = 0);
 
+/// Grid steps across the thinnest strand or ring that a grid can carry.
+inline constexpr double fewest_steps_across = 16;
+double least_width_mm(const PlaneGrid& grid);
+
 /// Twice the signed area of the triangle a, b, c in grid steps; exact. Positive if c lies to the
 /// left of a -> b.
 inline std::int64_t turn(GridPoint a, GridPoint b, GridPoint c) {

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include "geometry/mesh/disjoint_sets.h"
+#include "geometry/solid/exact_kernel.h"
 
 namespace latticast {
 namespace {
@@ -17,13 +17,11 @@ namespace {
 constexpr double safe_height_steps = 1;
 constexpr int most_flip_passes = 100;
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<bool, Kernel,
-                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, ExactKernel>;
+using FaceBase = CGAL::Triangulation_face_base_with_info_2<
+    bool, ExactKernel, CGAL::Constrained_triangulation_face_base_2<ExactKernel>>;
 using Cells = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
+    ExactKernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
     CGAL::No_constraint_intersection_tag>;
 
 // An edge of one sector by vertex number, and what of this sector is material beside it.
@@ -132,7 +130,7 @@ class Builder {
   }
 
   // A region vertex as seen from a sector: one on the next line lies at the sector's right side.
-  Kernel::Point_2 position(int sector, std::uint32_t vertex) const {
+  ExactKernel::Point_2 position(int sector, std::uint32_t vertex) const {
     const PlaneMeshVertex& v = mesh_.vertices[vertex];
     const bool on_left =
         v.sector == sector && vertex < first_on_line_[sector] + lines_[sector].size();
@@ -148,7 +146,7 @@ class Builder {
     std::sort(numbers_.begin(), numbers_.end());
     numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
 
-    std::vector<std::pair<Kernel::Point_2, std::uint32_t>> points;
+    std::vector<std::pair<ExactKernel::Point_2, std::uint32_t>> points;
     points.reserve(numbers_.size());
     for (std::uint32_t i = 0; i < numbers_.size(); ++i) {
       points.emplace_back(position(sector, numbers_[i]), i);

@@ -2,6 +2,7 @@
 #include "geometry/solid/tolerance_budget.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "design/strand_path.h"
 
@@ -29,6 +30,14 @@ bool has_curved_strands(const Lattice& lattice) {
 
 bool has_curved_outlines(const Lattice& lattice) {
   return lattice.fillet_mm > 0 || has_curved_strands(lattice);
+}
+
+double thinnest_strand_mm(const Lattice& lattice) {
+  double thinnest = lattice.rings ? lattice.rings->width_mm : HUGE_VAL;
+  for (const Grid& grid : lattice.grids) {
+    for (const double width : grid.widths_mm) thinnest = std::min(thinnest, width);
+  }
+  return thinnest;
 }
 
 ToleranceBudget lattice_budget(const Segment& segment, double tolerance_mm, double growth,

@@ -23,6 +23,9 @@ bool has_curved_strands(const Lattice& lattice);
 /// Do outlines run in every direction, as curved strands and fillets do?
 bool has_curved_outlines(const Lattice& lattice);
 
+/// Width of the thinnest strand or ring; infinite where there is none.
+double thinnest_strand_mm(const Lattice& lattice);
+
 /// Of a lattice's solid. `growth` is the largest factor by which its lines will grow later (1:
 /// none). A lattice that is to be `twisted` gets walls of a quarter of their error: along a cut's
 /// height they turn as much again as around a sector, and flat ones, halved by a diagonal, then

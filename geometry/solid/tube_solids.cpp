@@ -18,7 +18,6 @@ namespace latticast {
 namespace {
 
 constexpr double most_triangles = 20e6;
-constexpr double fewest_steps_across = 16;
 constexpr double coarser = 4;  // grid steps where arcs graze other outlines
 
 using Unite = std::function<Region(const PlaneGrid&, std::span<const std::int32_t> cuts)>;
@@ -85,16 +84,8 @@ double steepest_slant(const Segment& segment) {
   return steepest;
 }
 
-double thinnest_strand_mm(const Lattice& lattice) {
-  double thinnest = lattice.rings ? lattice.rings->width_mm : HUGE_VAL;
-  for (const Grid& grid : lattice.grids) {
-    for (const double width : grid.widths_mm) thinnest = std::min(thinnest, width);
-  }
-  return thinnest;
-}
-
 void check_widths(const Layer& layer, const PlaneGrid& grid) {
-  const double least = fewest_steps_across * std::max(grid.u_step_mm, grid.z_step_mm);
+  const double least = least_width_mm(grid);
   if (layer.thinnest_strand_mm >= least) return;
   throw GeometryError("a strand or ring of " + std::to_string(layer.thinnest_strand_mm) +
                       " mm is too thin for the coordinates of a mesh file on a tube this large or "

@@ -9,6 +9,7 @@
 
 #include "design/units.h"
 #include "geometry/mesh/point_algebra.h"
+#include "geometry/solid/box_tree.h"
 
 namespace latticast {
 namespace {
@@ -60,65 +61,49 @@ std::vector<Facet> facets_of(const TriangleMesh& mesh) {
   return facets;
 }
 
-struct Box {
-  Point low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  Point high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-
-  void add(const Point& p) {
-    for (int i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], p[i]);
-      high[i] = std::max(high[i], p[i]);
-    }
-  }
-  bool meets(const Box& box) const {
-    return low[0] <= box.high[0] && box.low[0] <= high[0] && low[1] <= box.high[1] &&
-           box.low[1] <= high[1] && low[2] <= box.high[2] && box.low[2] <= high[2];
-  }
-};
-
-/// A balanced tree of boxes. Node n's children are 2n + 1 and 2n + 2, each with half of its facets,
-/// which are kept in the tree's order: near ones together.
-class BoxTree {
+/// Facets in the order of their tree: near ones together.
+class FacetTree {
  public:
-  explicit BoxTree(const std::vector<Facet>& facets) {
-    std::vector<Leaf> leaves(facets.size());
+  explicit FacetTree(const std::vector<Facet>& facets) {
+    std::vector<Place> places(facets.size());
     for (std::uint32_t i = 0; i < facets.size(); ++i) {
-      leaves[i].facet = i;
+      places[i].facet = i;
       const auto& [a, b, c] = facets[i].corners;
-      for (int k = 0; k < 3; ++k) leaves[i].place[k] = static_cast<float>(a[k] + b[k] + c[k]);
+      for (int k = 0; k < 3; ++k) places[i].middle[k] = static_cast<float>(a[k] + b[k] + c[k]);
     }
-    if (!leaves.empty()) sort(leaves, 0, leaves.size());
+    sort(places, {0, places.size()});
     facets_.reserve(facets.size());
-    for (const Leaf& leaf : leaves) facets_.push_back(facets[leaf.facet]);
-    if (!leaves.empty()) build(0, 0, leaves.size());
+    for (const Place& place : places) facets_.push_back(facets[place.facet]);
+    tree_ = {facets_.size(), [this](std::size_t i) {
+               Box<3> box;
+               for (const Point& corner : facets_[i].corners) box.add(corner);
+               return box;
+             }};
   }
 
   const std::vector<Facet>& facets() const { return facets_; }
 
   template <class Visit>
-  void for_each_near(const Box& box, Visit&& visit) const {
-    if (!facets_.empty()) descend(0, 0, facets_.size(), box, visit);
+  void for_each_near(const Box<3>& box, const Visit& visit) const {
+    tree_.for_each_meeting(box, [&](const LeafItems& leaf) {
+      for (std::size_t i = leaf.from; i < leaf.to; ++i) visit(facets_[i]);
+    });
   }
 
  private:
-  static constexpr std::size_t leaf_size = 4;
-
-  struct Leaf {
-    std::array<float, 3> place;  // three times the middle, which orders as well
+  struct Place {
+    std::array<float, 3> middle;  // three times, which orders as well
     std::uint32_t facet;
   };
 
-  static std::size_t half(std::size_t from, std::size_t to) { return from + (to - from) / 2; }
-
   // Along which the middles of the facets are spread most.
-  static std::size_t widest_axis(const std::vector<Leaf>& leaves, std::size_t from,
-                                 std::size_t to) {
-    std::array<float, 3> low = leaves[from].place;
+  static std::size_t widest_axis(const std::vector<Place>& places, const LeafItems& items) {
+    std::array<float, 3> low = places[items.from].middle;
     std::array<float, 3> high = low;
-    for (std::size_t i = from + 1; i < to; ++i) {
+    for (std::size_t i = items.from + 1; i < items.to; ++i) {
       for (int k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], leaves[i].place[k]);
-        high[k] = std::max(high[k], leaves[i].place[k]);
+        low[k] = std::min(low[k], places[i].middle[k]);
+        high[k] = std::max(high[k], places[i].middle[k]);
       }
     }
     std::size_t widest = 0;
@@ -128,51 +113,20 @@ class BoxTree {
     return widest;
   }
 
-  static void sort(std::vector<Leaf>& leaves, std::size_t from, std::size_t to) {
-    if (to - from <= leaf_size) return;
-    const std::size_t axis = widest_axis(leaves, from, to);
-    const std::size_t split = half(from, to);
-    const auto at = [&](std::size_t i) { return leaves.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(from), at(split), at(to), [axis](const Leaf& a, const Leaf& b) {
-      return a.place[axis] < b.place[axis];
-    });
-    sort(leaves, from, split);
-    sort(leaves, split, to);
-  }
-
-  void build(std::size_t node, std::size_t from, std::size_t to) {
-    if (nodes_.size() <= node) nodes_.resize(2 * node + 1);
-    Box box;
-    if (to - from <= leaf_size) {
-      for (std::size_t i = from; i < to; ++i) {
-        for (const Point& corner : facets_[i].corners) box.add(corner);
-      }
-    } else {
-      build(2 * node + 1, from, half(from, to));
-      build(2 * node + 2, half(from, to), to);
-      for (const Box& child : {nodes_[2 * node + 1], nodes_[2 * node + 2]}) {
-        box.add(child.low);
-        box.add(child.high);
-      }
-    }
-    nodes_[node] = box;
-  }
-
-  template <class Visit>
-  void descend(std::size_t node, std::size_t from, std::size_t to, const Box& box,
-               Visit& visit) const {
-    if (!nodes_[node].meets(box)) return;
-    if (to - from <= leaf_size) {
-      for (std::size_t i = from; i < to; ++i) visit(facets_[i]);
-      return;
-    }
-    const std::size_t split = half(from, to);
-    descend(2 * node + 1, from, split, box, visit);
-    descend(2 * node + 2, split, to, box, visit);
+  static void sort(std::vector<Place>& places, const LeafItems& items) {
+    if (BoxTree<Box<3>>::is_leaf(items)) return;
+    const std::size_t axis = widest_axis(places, items);
+    const std::size_t split = BoxTree<Box<3>>::middle(items);
+    const auto at = [&](std::size_t i) { return places.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(
+        at(items.from), at(split), at(items.to),
+        [axis](const Place& a, const Place& b) { return a.middle[axis] < b.middle[axis]; });
+    sort(places, {items.from, split});
+    sort(places, {split, items.to});
   }
 
   std::vector<Facet> facets_;
-  std::vector<Box> nodes_;
+  BoxTree<Box<3>> tree_;
 };
 
 /// How far along `direction` the line from a point meets the facet. The facet is taken a hair
@@ -252,10 +206,10 @@ struct Opposite {
 };
 
 /// The nearest surface along the inward normal, within the limit.
-std::optional<Opposite> opposite(const Point& point, const Facet& facet, const BoxTree& tree,
+std::optional<Opposite> opposite(const Point& point, const Facet& facet, const FacetTree& tree,
                                  double limit) {
   const Point inward = {-facet.normal[0], -facet.normal[1], -facet.normal[2]};
-  Box way;
+  Box<3> way;
   way.add(point);
   way.add(moved(point, inward, limit));
   Opposite nearest{limit, nullptr};
@@ -271,14 +225,14 @@ std::optional<Opposite> opposite(const Point& point, const Facet& facet, const B
 /// Whether the two sides run into each other: the opposite one is there, or nearly so, where the
 /// planes of both meet.
 bool meets_in_an_edge(const Point& point, const Facet& facet, const Opposite& under,
-                      const BoxTree& tree) {
+                      const FacetTree& tree) {
   const double facing = dot(facet.normal, under.facet->normal);
   const double sine = std::sqrt(1 - facing * facing);
   Point toward_edge = moved(under.facet->normal, facet.normal, -facing);
   for (double& component : toward_edge) component /= sine;
   const Point edge = moved(point, toward_edge, -under.distance * facing / sine);
   const double near = 0.5 * under.distance;
-  Box around;
+  Box<3> around;
   around.add({edge[0] - near, edge[1] - near, edge[2] - near});
   around.add({edge[0] + near, edge[1] + near, edge[2] + near});
   bool meets = false;
@@ -290,7 +244,7 @@ bool meets_in_an_edge(const Point& point, const Facet& facet, const Opposite& un
 }
 
 /// The thickness of the body under a point of a facet, where it is below the limit and a wall's.
-std::optional<double> wall_under(const Point& point, const Facet& facet, const BoxTree& tree,
+std::optional<double> wall_under(const Point& point, const Facet& facet, const FacetTree& tree,
                                  double limit) {
   const auto under = opposite(point, facet, tree, limit);
   if (!under || !under->facet->sure) return std::nullopt;
@@ -306,7 +260,7 @@ std::optional<double> wall_under(const Point& point, const Facet& facet, const B
 }  // namespace
 
 ThinWalls thin_walls(const TriangleMesh& sound, double limit_mm) {
-  const BoxTree tree(facets_of(sound));
+  const FacetTree tree(facets_of(sound));
   ThinWalls found;
   for (const Facet& facet : tree.facets()) found.surface_mm2 += facet.area;
   const double spacing = std::max(limit_mm, std::sqrt(found.surface_mm2 / most_points));

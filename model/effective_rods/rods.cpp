@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <variant>
 
+#include "design/units.h"
 #include "model/strand/links.h"
 
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr int most_iterations = 200;
+constexpr int most_descent_steps = 200;
 
 struct Pull {
   double energy_n = 0;  // integral of the force over the strain
@@ -151,7 +150,7 @@ bool take_step(const Rods& rods, const RodsLoad& load, const std::array<double, 
 /// The energy's minimum from rest, by Newton's method with a line search.
 std::optional<Descent> minimum(const Rods& rods, const RodsLoad& load) {
   Descent descent{.at = *balance(rods, load, 0, 0)};
-  while (descent.iterations < most_iterations) {
+  while (descent.iterations < most_descent_steps) {
     const auto step = solved(descent.at, load, {-descent.at.gradient[0], -descent.at.gradient[1]});
     if (!take_step(rods, load, step, descent)) return std::nullopt;
     ++descent.iterations;
@@ -192,7 +191,7 @@ Rods prepare_rods(const Segment& segment, const StrandLaws& known) {
   for (std::size_t i = 0; i < segment.lattice->grids.size(); ++i) {
     const Grid& grid = segment.lattice->grids[i];
     if (grid.count() > 0 && grid.angle_deg != 90) {
-      throw UnsupportedDesign("grid " + std::to_string(i) +
+      throw UnsupportedDesign(grid_name(i) +
                               " is tilted; columns = \"rods\" takes axial columns (angle = 90) "
                               "only: use \"distributed\"");
     }

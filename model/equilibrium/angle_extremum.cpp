@@ -14,7 +14,7 @@ constexpr double least_angle = 1e-9;  // scaled, above rounding
 constexpr double accuracy = 1e-11;    // of a rate, against its change over the step
 constexpr double least_share = 1e-3;  // of the bracket, between a search's next place and its ends
 constexpr int most_halvings = 6;
-constexpr int most_iterations = 80;
+constexpr int most_extremum_searches = 80;
 
 /// One angle by the entries of a point that make it: `count` successive ones, two for a bending
 /// about any axis.
@@ -69,7 +69,7 @@ std::optional<ExtremumState> located(const Angle& angle, int pressure_entry,
   const double size = std::abs(at_low - at_high);
   const double step = std::abs(high[pressure_entry] - low[pressure_entry]);
   RootSearch search(low[pressure_entry], at_low, high[pressure_entry], at_high);
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < most_extremum_searches; ++i) {
     const double load = search.next(least_share);
     const double fraction =
         (load - low[pressure_entry]) / (high[pressure_entry] - low[pressure_entry]);

@@ -10,7 +10,7 @@ namespace latticast {
 namespace {
 
 constexpr double bifurcation_accuracy = 1e-12;  // of its load, relative
-constexpr int most_iterations = 60;
+constexpr int most_event_searches = 60;
 constexpr int limit_checks = 8;  // parts of the way to a limit point
 
 BranchPoint bore_axis(int size) {
@@ -58,7 +58,7 @@ std::optional<CriticalState> bifurcation_between(const BranchState& here, const 
   const double at_high = -std::abs(beyond.nearest_eigenvalue);
   const double slope = (at_low - at_high) / (low[size] - high[size]);
   RootSearch search(low[size], at_low, high[size], at_high);
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < most_event_searches; ++i) {
     const double load = search.next();
     const double fraction = (load - low[size]) / (high[size] - low[size]);
     const BranchPoint start = at_load(between(low, high, fraction), load, size);

@@ -10,7 +10,7 @@
 namespace latticast {
 namespace {
 
-constexpr int most_iterations = 12;
+constexpr int most_corrector_iterations = 12;
 
 /// Room for the free coordinates and the load.
 using BorderedMatrix = std::array<double, entry_count(coordinate_count + 1)>;
@@ -99,7 +99,8 @@ std::optional<BranchState> corrected(const EquilibriumEquations& equations, Newt
     return true;
   };
   BranchPoint x = start;
-  if (!newton.solve(std::span(x).first(n + 1), system, most_iterations)) return std::nullopt;
+  if (!newton.solve(std::span(x).first(n + 1), system, most_corrector_iterations))
+    return std::nullopt;
   return examined(equations, x, last, guide);
 }
 

@@ -10,7 +10,7 @@
 namespace latticast {
 namespace {
 
-constexpr int most_iterations = 25;
+constexpr int most_limit_point_iterations = 25;
 constexpr double difference_step = 1e-5;
 
 /// Eigenvector of the eigenvalue nearest to zero.
@@ -103,7 +103,7 @@ std::optional<CriticalState> locate_limit_point(const EquilibriumEquations& equa
                           std::span<double> jacobian) {
     return extended_system(equations, at, residual, jacobian);
   };
-  if (!newton.solve(y, system, most_iterations)) return std::nullopt;
+  if (!newton.solve(y, system, most_limit_point_iterations)) return std::nullopt;
 
   CriticalState found;
   std::copy_n(y.begin(), n + 1, found.x.begin());

@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/law/link_steps.h"
+
 namespace latticast {
 namespace {
 
-constexpr int most_iterations = 8;
+constexpr int most_arc_iterations = 8;
 constexpr double strain_rounding = 1e-15;
-constexpr double shortest_step = 1e-6;  // of the way asked for
-constexpr double largest_correction = 0.3;
-
-// Relative size of a step after which one more is the last: convergence being quadratic, the
-// derivatives there are good to about 1e-12 and the arc to rounding.
-constexpr double small_step = 1e-6;
 
 // Derivatives of the residuals (angle, strain) by (force, end).
 struct Jacobian {
@@ -57,7 +53,7 @@ ArcSolver::ArcSolver(const Arc& arc, int quadrature_points)
 std::optional<ArcEquilibrium> ArcSolver::corrected(BentArc bent, double strain) const {
   const double force_rounding = strain_rounding * rest_.force_by_strain;
   bool nearly_there = false;
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < most_arc_iterations; ++iteration) {
     const Residual at = residual_of(quadrature_, arc_, sine_, bent, strain);
     const Jacobian& by = at.jacobian;
     const double determinant = by.determinant();
@@ -86,29 +82,20 @@ bool ArcSolver::small_correction(const ArcEquilibrium& from, const BentArc& gues
          std::abs(found.end - guess.end) <= largest_correction * guess.end;
 }
 
+std::optional<ArcEquilibrium> ArcSolver::step(const ArcEquilibrium& here, double strain) const {
+  const double length = strain - here.strain;
+  const BentArc guess{here.bent.chart, here.bent.force + here.force_by_strain * length,
+                      here.bent.end + here.end_by_strain * length};
+  std::optional<ArcEquilibrium> found = corrected(guess, strain);
+  if (!found || !small_correction(here, guess, found->bent)) return {};
+  const ArcChart chart = better_chart(arc_, found->bent);
+  if (chart != found->bent.chart) found = corrected(rewritten(arc_, found->bent, chart), strain);
+  return found;
+}
+
 std::optional<ArcEquilibrium> ArcSolver::advance(const ArcEquilibrium& from, double strain) const {
-  ArcEquilibrium here = from;
-  double step = strain - from.strain;
-  const double shortest = shortest_step * std::abs(step);
-  while (here.strain != strain) {
-    const double left = strain - here.strain;
-    const double next = std::abs(step) < std::abs(left) ? here.strain + step : strain;
-    const double length = next - here.strain;
-    const BentArc guess{here.bent.chart, here.bent.force + here.force_by_strain * length,
-                        here.bent.end + here.end_by_strain * length};
-    std::optional<ArcEquilibrium> found = corrected(guess, next);
-    if (!found || !small_correction(here, guess, found->bent)) {
-      step = length / 2;
-      if (std::abs(step) < shortest) return {};
-      continue;
-    }
-    const ArcChart chart = better_chart(arc_, found->bent);
-    if (chart != found->bent.chart) found = corrected(rewritten(arc_, found->bent, chart), next);
-    if (!found) return {};
-    here = *found;
-    step = 2 * length;
-  }
-  return here;
+  return advance_link(from, strain,
+                      [this](const ArcEquilibrium& here, double next) { return step(here, next); });
 }
 
 double ArcSolver::invariant_defect(const ArcEquilibrium& at) const {

@@ -49,6 +49,7 @@ class ArcSolver {
   const Arc& arc() const { return arc_; }
 
  private:
+  std::optional<ArcEquilibrium> step(const ArcEquilibrium& here, double strain) const;
   std::optional<ArcEquilibrium> corrected(BentArc bent, double strain) const;
   bool small_correction(const ArcEquilibrium& from, const BentArc& guess,
                         const BentArc& found) const;

@@ -12,42 +12,28 @@
 namespace latticast {
 namespace {
 
-constexpr std::string_view path_name = "horseshoe";
+constexpr std::string_view horseshoe_name = "horseshoe";
 constexpr double rounding = 1e-12;  // what conversion of units may add to a limit
-constexpr double lowest_strain = -0.3;
-constexpr double beyond_full_extension = 0.5;
 
 bool between(double x, double low, double high) {
   return x >= low * (1 - rounding) && x <= high * (1 + rounding);
 }
 
-bool positive(double x) {
-  return x > 0 && std::isfinite(x);
-}
-
 const HorseshoeShape& checked(const HorseshoeShape& shape) {
-  if (!positive(shape.radius_mm) || !positive(shape.width_mm) || !positive(shape.thickness_mm) ||
-      !positive(shape.youngs_modulus_mpa)) {
-    throw LinkOutOfScope(path_name, "a horseshoe's sizes and modulus must be positive and finite");
+  if (!is_size(shape.radius_mm) || !is_size(shape.width_mm) || !is_size(shape.thickness_mm) ||
+      !is_size(shape.youngs_modulus_mpa)) {
+    throw LinkOutOfScope(horseshoe_name,
+                         "a horseshoe's sizes and modulus must be positive and finite");
   }
   if (!between(shape.arc_rad, radians(limits::horseshoe_arc.low),
                radians(limits::horseshoe_arc.high))) {
-    throw LinkOutOfScope(path_name, "a horseshoe's arc must be from 20 to 300 degrees");
+    throw LinkOutOfScope(horseshoe_name, "a horseshoe's arc must be from 20 to 300 degrees");
   }
   if (!between(shape.width_mm / shape.radius_mm, 1e-3, 100)) {
-    throw LinkOutOfScope(path_name, "a horseshoe's width must be from 0.001 to 100 of its radius");
+    throw LinkOutOfScope(horseshoe_name,
+                         "a horseshoe's width must be from 0.001 to 100 of its radius");
   }
   return shape;
-}
-
-const StrainRange& checked(const StrainRange& range, const HorseshoeShape& shape) {
-  const StrainRange widest = widest_range(shape);
-  const bool holds_rest = range.lowest <= 0 && range.highest >= 0 && range.lowest < range.highest;
-  if (!holds_rest || range.lowest < widest.lowest || range.highest > widest.highest) {
-    throw LinkOutOfScope(
-        path_name, "a horseshoe's strains must hold 0 and lie from -0.3 to full extension + 0.5");
-  }
-  return range;
 }
 
 Arc arc_of(const HorseshoeShape& shape) {
@@ -94,7 +80,7 @@ double full_extension(const HorseshoeShape& shape) {
 }
 
 StrainRange widest_range(const HorseshoeShape& shape) {
-  return {lowest_strain, full_extension(shape) + beyond_full_extension};
+  return link_range(full_extension(shape));
 }
 
 ForceTable arc_table(const Arc& arc, const StrainRange& range) {
@@ -108,7 +94,8 @@ StrandLaw make_law(const HorseshoeShape& shape) {
 
 StrandLaw make_law(const HorseshoeShape& shape, const StrainRange& range) {
   const Arc arc = arc_of(checked(shape));
-  return {shape, rest_chord_mm(shape), force_unit_n(shape), arc_table(arc, checked(range, shape))};
+  return {shape, rest_chord_mm(shape), force_unit_n(shape),
+          arc_table(arc, checked_range(range, widest_range(shape), horseshoe_name))};
 }
 
 std::optional<double> largest_fibre_strain(const HorseshoeShape& shape, double strain) {

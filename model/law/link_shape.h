@@ -3,6 +3,7 @@
 // links of equal shape have one force law. mm, MPa, rad.
 #pragma once
 
+#include <cmath>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -31,6 +32,11 @@ struct SinusoidShape {
 
   bool operator==(const SinusoidShape&) const = default;
 };
+
+/// Whether a number can be a size or a modulus: positive and finite.
+inline bool is_size(double x) {
+  return x > 0 && std::isfinite(x);
+}
 
 using LinkShape = std::variant<HorseshoeShape, SinusoidShape>;
 

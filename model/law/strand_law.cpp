@@ -20,4 +20,19 @@ std::optional<LinkState> StrandLaw::at(double strain) const {
                    force_unit_n_ * state->slope, state->error};
 }
 
+StrainRange link_range(double full_extension) {
+  return {-0.3, full_extension + 0.5};
+}
+
+const StrainRange& checked_range(const StrainRange& range, const StrainRange& widest,
+                                 std::string_view path_name) {
+  const bool holds_rest = range.lowest <= 0 && range.highest >= 0 && range.lowest < range.highest;
+  if (!holds_rest || range.lowest < widest.lowest || range.highest > widest.highest) {
+    throw LinkOutOfScope(path_name,
+                         "a " + std::string(path_name) +
+                             "'s strains must hold 0 and lie from -0.3 to full extension + 0.5");
+  }
+  return range;
+}
+
 }  // namespace latticast

@@ -56,6 +56,14 @@ class StrandLaw {
   double energy_unit_nmm_;  // that times the rest chord
 };
 
+/// Strains that laws of curved links are made for: from -0.3 to half a rest chord beyond the strain
+/// at which the link's centre line is straight.
+StrainRange link_range(double full_extension);
+
+/// `range`; throws LinkOutOfScope where it does not hold 0 or leaves `widest`.
+const StrainRange& checked_range(const StrainRange& range, const StrainRange& widest,
+                                 std::string_view path_name);
+
 /// Laws built once, to be reused wherever their shapes occur.
 using StrandLaws = std::vector<std::shared_ptr<const StrandLaw>>;
 

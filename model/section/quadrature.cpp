@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "design/units.h"
 #include "model/numerics/gauss.h"
 #include "model/section/section_energy.h"
 
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double panel_ratio = 4;  // thickness of successive panels
 constexpr int most_panels = 24;
 

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "design/units.h"
 
 namespace latticast {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// Stretch measures that all energies share, free of differences of nearly equal numbers.
 template <class Number>

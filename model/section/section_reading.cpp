@@ -17,10 +17,6 @@ namespace {
 constexpr double mixture_rubber = 0.91;
 constexpr double mixture_lattice = 0.09;
 
-std::string grid_name(std::size_t index) {
-  return "grid " + std::to_string(index);
-}
-
 /// Rings as they exist on the segment: how much of the layer they fill, and their pitch.
 struct RingLayout {
   double fraction = 0;

@@ -4,24 +4,19 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "design/units.h"
 #include "design/unsupported_design.h"
 #include "model/section/mirror_places.h"
 
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr int many_strands =
     128;  // as many as there are directions at most, see model/equilibrium/balance.cpp
-
-std::string grid_name(std::size_t index) {
-  return "grid " + std::to_string(index);
-}
 
 bool is_even(const Grid& grid) {
   return grid.count() >= 2 &&

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "design/units.h"
 #include "geometry/pattern/rings.h"
 #include "geometry/pattern/strand_path.h"
 #include "model/shape/inflated_wall.h"
@@ -13,7 +13,6 @@
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr int fibre_intervals = 32;
 
 // A family, with what each vertex asks of it.

@@ -2,7 +2,6 @@
 #include "model/sinusoid/sinusoid_law.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "design/units.h"
 #include "model/law/force_table_builder.h"
@@ -10,42 +9,26 @@
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr std::string_view path_name = "sinusoid";
+constexpr std::string_view sinusoid_name = "sinusoid";
 constexpr double least_slope_deg = 1;
 constexpr double most_slope_deg = 80;
-constexpr double lowest_strain = -0.3;
-constexpr double beyond_full_extension = 0.5;
-
-bool positive(double x) {
-  return x > 0 && std::isfinite(x);
-}
 
 const SinusoidShape& checked(const SinusoidShape& shape) {
-  if (!positive(shape.amplitude_mm) || !positive(shape.chord_mm) || !positive(shape.width_mm) ||
-      !positive(shape.thickness_mm) || !positive(shape.youngs_modulus_mpa)) {
-    throw LinkOutOfScope(path_name, "a sinusoid's sizes and modulus must be positive and finite");
+  if (!is_size(shape.amplitude_mm) || !is_size(shape.chord_mm) || !is_size(shape.width_mm) ||
+      !is_size(shape.thickness_mm) || !is_size(shape.youngs_modulus_mpa)) {
+    throw LinkOutOfScope(sinusoid_name,
+                         "a sinusoid's sizes and modulus must be positive and finite");
   }
   const double slope = degrees(std::atan(pi * shape.amplitude_mm / shape.chord_mm));
   if (!(slope >= least_slope_deg && slope <= most_slope_deg)) {
-    throw LinkOutOfScope(path_name, "a sinusoid's largest slope must be from 1 to 80 degrees");
+    throw LinkOutOfScope(sinusoid_name, "a sinusoid's largest slope must be from 1 to 80 degrees");
   }
   const double slenderness = shape.width_mm / shape.chord_mm;
   if (!(slenderness >= 1e-3 && slenderness <= 1)) {
-    throw LinkOutOfScope(path_name,
+    throw LinkOutOfScope(sinusoid_name,
                          "a sinusoid's width must be from 0.001 to 1 of half a wave length");
   }
   return shape;
-}
-
-const StrainRange& checked(const StrainRange& range, const SinusoidShape& shape) {
-  const StrainRange widest = widest_range(shape);
-  const bool holds_rest = range.lowest <= 0 && range.highest >= 0 && range.lowest < range.highest;
-  if (!holds_rest || range.lowest < widest.lowest || range.highest > widest.highest) {
-    throw LinkOutOfScope(
-        path_name, "a sinusoid's strains must hold 0 and lie from -0.3 to full extension + 0.5");
-  }
-  return range;
 }
 
 // Equilibria of one half wave, as tables are built from them. The check has half as many terms
@@ -97,7 +80,7 @@ double full_extension(const SinusoidShape& shape) {
 }
 
 StrainRange widest_range(const SinusoidShape& shape) {
-  return {lowest_strain, full_extension(shape) + beyond_full_extension};
+  return link_range(full_extension(shape));
 }
 
 StrandLaw make_law(const SinusoidShape& shape) {
@@ -106,8 +89,9 @@ StrandLaw make_law(const SinusoidShape& shape) {
 
 StrandLaw make_law(const SinusoidShape& shape, const StrainRange& range) {
   const WaveBranch branch(wave_of(checked(shape)), full_extension(shape));
-  return {shape, shape.chord_mm, force_unit_n(shape),
-          ForceTableBuilder(branch).build(checked(range, shape))};
+  return {
+      shape, shape.chord_mm, force_unit_n(shape),
+      ForceTableBuilder(branch).build(checked_range(range, widest_range(shape), sinusoid_name))};
 }
 
 std::optional<double> largest_fibre_strain(const SinusoidShape& shape, double strain) {

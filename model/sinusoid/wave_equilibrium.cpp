@@ -3,23 +3,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include <Eigen/Dense>
+
+#include "design/units.h"
+#include "model/law/link_steps.h"
 
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr int most_iterations = 10;
-constexpr double shortest_step = 1e-6;  // of the way asked for
-constexpr double largest_correction = 0.3;
+constexpr int most_wave_iterations = 10;
 constexpr double lost_digits = 36;  // ln(1e16), nearly: what the series must fall by
 constexpr int fewest_terms = 16;
-
-// Relative size of a step after which one more is the last: convergence being quadratic, the
-// derivatives there are good to about 1e-12 and the wave to rounding.
-constexpr double small_step = 1e-6;
 
 double grading(const Wave& wave) {
   return std::pow(1 + wave.slope * wave.slope, -0.25);
@@ -117,7 +112,7 @@ std::optional<WaveEquilibrium> WaveSolver::corrected(WaveEquilibrium at) const {
   at.turn.resize(terms_, 0);
   bool nearly_there = false;
   Eigen::MatrixXd columns(terms_ + 1, 2);
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+  for (int iteration = 0; iteration < most_wave_iterations; ++iteration) {
     const Sums sums = sums_at(at);
     columns.col(0) = -sums.residual;
     columns.col(1).setZero();
@@ -141,38 +136,30 @@ std::optional<WaveEquilibrium> WaveSolver::corrected(WaveEquilibrium at) const {
   return {};
 }
 
+std::optional<WaveEquilibrium> WaveSolver::step(const WaveEquilibrium& here, double strain) const {
+  const double length = strain - here.strain;
+  WaveEquilibrium guess = here;
+  guess.strain = strain;
+  guess.force += length * here.force_by_strain;
+  for (int k = 0; k < terms_; ++k) guess.turn[k] += length * here.turn_by_strain[k];
+  std::optional<WaveEquilibrium> found = corrected(guess);
+  if (!found) return {};
+  const double scale = std::max(
+      {std::abs(found->force), std::abs(here.force), 1e-3 * std::abs(here.force_by_strain)});
+  double moved = 0;
+  for (int k = 0; k < terms_; ++k) {
+    moved = std::max(moved, std::abs(found->turn[k] - guess.turn[k]));
+  }
+  const double room = largest_correction * std::max(largest(guess.turn), 0.1 * wave_.slope);
+  const bool small =
+      std::abs(found->force - guess.force) <= largest_correction * scale && moved <= room;
+  return small ? found : std::nullopt;
+}
+
 std::optional<WaveEquilibrium> WaveSolver::advance(const WaveEquilibrium& from,
                                                    double strain) const {
-  WaveEquilibrium here = from;
-  double step = strain - from.strain;
-  const double shortest = shortest_step * std::abs(step);
-  while (here.strain != strain) {
-    const double left = strain - here.strain;
-    const double next = std::abs(step) < std::abs(left) ? here.strain + step : strain;
-    const double length = next - here.strain;
-    WaveEquilibrium guess = here;
-    guess.strain = next;
-    guess.force += length * here.force_by_strain;
-    for (int k = 0; k < terms_; ++k) guess.turn[k] += length * here.turn_by_strain[k];
-    std::optional<WaveEquilibrium> found = corrected(guess);
-    const double scale = found ? std::max({std::abs(found->force), std::abs(here.force),
-                                           1e-3 * std::abs(here.force_by_strain)})
-                               : 0;
-    double moved = 0;
-    for (int k = 0; found && k < terms_; ++k) {
-      moved = std::max(moved, std::abs(found->turn[k] - guess.turn[k]));
-    }
-    const double room = largest_correction * std::max(largest(guess.turn), 0.1 * wave_.slope);
-    if (!found || std::abs(found->force - guess.force) > largest_correction * scale ||
-        moved > room) {
-      step = length / 2;
-      if (std::abs(step) < shortest) return {};
-      continue;
-    }
-    here = *found;
-    step = 2 * length;
-  }
-  return here;
+  return advance_link(
+      from, strain, [this](const WaveEquilibrium& here, double next) { return step(here, next); });
 }
 
 double WaveSolver::fibre_strain(const WaveEquilibrium& at, double half_width) const {

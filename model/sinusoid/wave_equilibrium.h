@@ -44,6 +44,7 @@ class WaveSolver {
   std::optional<WaveEquilibrium> advance(const WaveEquilibrium& from, double strain) const;
 
   /// Newton's method from a guess, which may have fewer terms.
+  std::optional<WaveEquilibrium> step(const WaveEquilibrium& here, double strain) const;
   std::optional<WaveEquilibrium> corrected(WaveEquilibrium guess) const;
 
   /// Largest change of curvature times `half_width`, plus the axial strain there: of the most

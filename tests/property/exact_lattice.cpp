@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
+#include "design/units.h"
 #include "geometry/pattern/rings.h"
 
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr std::size_t none = static_cast<std::size_t>(-1);
 constexpr double fine_angle = 1e-3;  // in which arcs are followed to the segment's ends
 

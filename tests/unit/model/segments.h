@@ -4,16 +4,15 @@
 
 #include <cmath>
 #include <initializer_list>
-#include <numbers>
 #include <optional>
 #include <vector>
 
 #include "design/design.h"
+#include "design/units.h"
 #include "tests/random_numbers.h"
 
 namespace latticast::testing {
 
-inline constexpr double pi = std::numbers::pi;
 inline constexpr double degree = pi / 180;
 
 /// A bare tube.

@@ -2,8 +2,8 @@
 #include "molds/lattice_mold.h"
 
 #include <algorithm>
-#include <numbers>
 
+#include "design/units.h"
 #include "geometry/solid/layered_solid.h"
 #include "geometry/solid/region.h"
 #include "geometry/solid/relief.h"
@@ -11,8 +11,6 @@
 
 namespace latticast {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 struct NamedSegment {
   std::string name;

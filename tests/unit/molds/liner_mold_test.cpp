@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 
+#include "design/units.h"
 #include "molds/cannot_mold.h"
 #include "molds/mold_rings.h"
 #include "tests/unit/molds/apart.h"
@@ -13,8 +13,6 @@
 
 namespace latticast {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 Segment tube(double inner_mm, double thickness_mm, double length_mm) {
   Segment segment;

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "molds/mold_rings.h"
 
-#include <numbers>
-
+#include "design/units.h"
 #include "tests/unit/molds/sound_solid.h"
 
 namespace latticast {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 TEST(Core, IsARodWithChamferedRims) {
   const Solid core = core_solid({12, -5, 95, 1}, 0.01);

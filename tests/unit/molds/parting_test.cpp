@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
+#include "design/units.h"
 #include "tests/unit/molds/lattice_molds.h"
 
 namespace latticast {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr CastLayer layer{16, 18};
 
 Parting straight_parting(int pieces, double first_seam_rad, double length = 85) {

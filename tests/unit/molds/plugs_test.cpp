@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "molds/plugs.h"
 
-#include <numbers>
-
+#include "design/units.h"
 #include "tests/unit/molds/sound_solid.h"
 
 namespace latticast {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 Segment tube(double inner_mm, double thickness_mm, double length_mm) {
   Segment segment;

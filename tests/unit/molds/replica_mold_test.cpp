@@ -2,15 +2,13 @@
 #include "molds/replica_mold.h"
 
 #include <algorithm>
-#include <numbers>
 
+#include "design/units.h"
 #include "tests/unit/molds/lattice_molds.h"
 #include "tests/unit/molds/sound_solid.h"
 
 namespace latticast {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 Segment paper_segment(const Grid& grid) {
   Segment segment;

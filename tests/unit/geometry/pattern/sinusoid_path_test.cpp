@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <set>
 #include <utility>
@@ -18,8 +17,6 @@
 
 namespace latticast {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // Midpoints of a periodic function converge exponentially.
 double half_wave_length(double amplitude, double chord) {

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 
 #include <gtest/gtest.h>
 
+#include "design/units.h"
 #include "geometry/solid/audit.h"
 #include "geometry/solid/tube_solids.h"
 #include "tests/unit/geometry/solid/example_bodies.h"
@@ -16,8 +16,6 @@
 
 namespace latticast {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 TriangleMesh box(double x, double y, double z) {
   TriangleMesh mesh = cube();

@@ -2,19 +2,17 @@
 #include "model/sinusoid/sinusoid_law.h"
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include <gtest/gtest.h>
 
+#include "design/units.h"
 #include "model/numerics/gauss.h"
 #include "model/strand/links.h"
 #include "tests/unit/model/sinusoid/wave_shooting.h"
 
 namespace latticast {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 SinusoidShape shape_of(double slope_deg, double width_over_chord, double chord_mm = 7) {
   return {.amplitude_mm = std::tan(slope_deg * pi / 180) * chord_mm / pi,
