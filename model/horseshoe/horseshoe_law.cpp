@@ -12,7 +12,6 @@
 namespace latticast {
 namespace {
 
-constexpr std::string_view horseshoe_name = "horseshoe";
 constexpr double rounding = 1e-12;  // what conversion of units may add to a limit
 
 bool between(double x, double low, double high) {
@@ -22,15 +21,15 @@ bool between(double x, double low, double high) {
 const HorseshoeShape& checked(const HorseshoeShape& shape) {
   if (!is_size(shape.radius_mm) || !is_size(shape.width_mm) || !is_size(shape.thickness_mm) ||
       !is_size(shape.youngs_modulus_mpa)) {
-    throw LinkOutOfScope(horseshoe_name,
+    throw LinkOutOfScope(HorseshoeShape::name,
                          "a horseshoe's sizes and modulus must be positive and finite");
   }
   if (!between(shape.arc_rad, radians(limits::horseshoe_arc.low),
                radians(limits::horseshoe_arc.high))) {
-    throw LinkOutOfScope(horseshoe_name, "a horseshoe's arc must be from 20 to 300 degrees");
+    throw LinkOutOfScope(HorseshoeShape::name, "a horseshoe's arc must be from 20 to 300 degrees");
   }
   if (!between(shape.width_mm / shape.radius_mm, 1e-3, 100)) {
-    throw LinkOutOfScope(horseshoe_name,
+    throw LinkOutOfScope(HorseshoeShape::name,
                          "a horseshoe's width must be from 0.001 to 100 of its radius");
   }
   return shape;
@@ -95,7 +94,7 @@ StrandLaw make_law(const HorseshoeShape& shape) {
 StrandLaw make_law(const HorseshoeShape& shape, const StrainRange& range) {
   const Arc arc = arc_of(checked(shape));
   return {shape, rest_chord_mm(shape), force_unit_n(shape),
-          arc_table(arc, checked_range(range, widest_range(shape), horseshoe_name))};
+          arc_table(arc, checked_range(range, widest_range(shape), HorseshoeShape::name))};
 }
 
 std::optional<double> largest_fibre_strain(const HorseshoeShape& shape, double strain) {

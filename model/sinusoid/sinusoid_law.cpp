@@ -9,23 +9,23 @@
 namespace latticast {
 namespace {
 
-constexpr std::string_view sinusoid_name = "sinusoid";
 constexpr double least_slope_deg = 1;
 constexpr double most_slope_deg = 80;
 
 const SinusoidShape& checked(const SinusoidShape& shape) {
   if (!is_size(shape.amplitude_mm) || !is_size(shape.chord_mm) || !is_size(shape.width_mm) ||
       !is_size(shape.thickness_mm) || !is_size(shape.youngs_modulus_mpa)) {
-    throw LinkOutOfScope(sinusoid_name,
+    throw LinkOutOfScope(SinusoidShape::name,
                          "a sinusoid's sizes and modulus must be positive and finite");
   }
   const double slope = degrees(std::atan(pi * shape.amplitude_mm / shape.chord_mm));
   if (!(slope >= least_slope_deg && slope <= most_slope_deg)) {
-    throw LinkOutOfScope(sinusoid_name, "a sinusoid's largest slope must be from 1 to 80 degrees");
+    throw LinkOutOfScope(SinusoidShape::name,
+                         "a sinusoid's largest slope must be from 1 to 80 degrees");
   }
   const double slenderness = shape.width_mm / shape.chord_mm;
   if (!(slenderness >= 1e-3 && slenderness <= 1)) {
-    throw LinkOutOfScope(sinusoid_name,
+    throw LinkOutOfScope(SinusoidShape::name,
                          "a sinusoid's width must be from 0.001 to 1 of half a wave length");
   }
   return shape;
@@ -89,9 +89,9 @@ StrandLaw make_law(const SinusoidShape& shape) {
 
 StrandLaw make_law(const SinusoidShape& shape, const StrainRange& range) {
   const WaveBranch branch(wave_of(checked(shape)), full_extension(shape));
-  return {
-      shape, shape.chord_mm, force_unit_n(shape),
-      ForceTableBuilder(branch).build(checked_range(range, widest_range(shape), sinusoid_name))};
+  return {shape, shape.chord_mm, force_unit_n(shape),
+          ForceTableBuilder(branch).build(
+              checked_range(range, widest_range(shape), SinusoidShape::name))};
 }
 
 std::optional<double> largest_fibre_strain(const SinusoidShape& shape, double strain) {

@@ -7,46 +7,14 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <type_traits>
 #include <variant>
 
-#include "design/units.h"
 #include "geometry/pattern/strand_path.h"
 #include "model/horseshoe/horseshoe_law.h"
 #include "model/sinusoid/sinusoid_law.h"
 
 namespace latticast {
-namespace {
-
-// What a link's shape takes from its strand besides the path.
-struct Strip {
-  double width_mm = 0;
-  double thickness_mm = 0;
-  double youngs_modulus_mpa = 0;
-  double chord_mm = 0;
-};
-
-std::optional<LinkShape> shape_of(const StraightPath& /*path*/, const Strip& /*strip*/) {
-  return std::nullopt;
-}
-
-std::optional<LinkShape> shape_of(const Horseshoe& path, const Strip& strip) {
-  return HorseshoeShape{.radius_mm = path.radius_mm,
-                        .arc_rad = radians(path.arc_deg),
-                        .width_mm = strip.width_mm,
-                        .thickness_mm = strip.thickness_mm,
-                        .youngs_modulus_mpa = strip.youngs_modulus_mpa};
-}
-
-std::optional<LinkShape> shape_of(const Sinusoid& path, const Strip& strip) {
-  return SinusoidShape{.amplitude_mm = path.amplitude_mm,
-                       .chord_mm = strip.chord_mm,
-                       .width_mm = strip.width_mm,
-                       .thickness_mm = strip.thickness_mm,
-                       .youngs_modulus_mpa = strip.youngs_modulus_mpa};
-}
-
-}  // namespace
-
 double strand_modulus_mpa(const Lattice& lattice) {
   if (const auto* linear = std::get_if<Linear>(&lattice.material.law)) {
     return linear->youngs_modulus_mpa;
@@ -56,12 +24,19 @@ double strand_modulus_mpa(const Lattice& lattice) {
 }
 
 std::optional<LinkShape> link_shape(const Segment& segment, const Grid& grid, double width_mm) {
-  if (!is_curved(grid.path)) return std::nullopt;
+  if (!is_curved(grid.path)) return std::nullopt;  // whose material may be any
   const Strip strip{.width_mm = width_mm,
                     .thickness_mm = segment.lattice->thickness_mm,
                     .youngs_modulus_mpa = strand_modulus_mpa(*segment.lattice),
                     .chord_mm = link_chord_mm(placed_strand(segment, grid))};
-  return std::visit([&](const auto& path) { return shape_of(path, strip); }, grid.path);
+  const auto shape = [&](const auto& path) -> std::optional<LinkShape> {
+    if constexpr (std::is_same_v<decltype(path), const StraightPath&>) {
+      return std::nullopt;
+    } else {
+      return shape_of(path, strip);
+    }
+  };
+  return std::visit(shape, grid.path);
 }
 
 std::vector<LinkShape> link_shapes(const Segment& segment) {
