@@ -17,7 +17,6 @@ namespace {
 using testing::columns;
 using testing::degree;
 using testing::paper_segment;
-using testing::pi;
 
 constexpr double start_z = 30;
 
