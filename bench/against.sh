@@ -146,7 +146,7 @@ compare() {
   # shellcheck disable=SC2086  # two numbers
   printf '%s %s %s %s %s\n' "$name" "$(cat "$run/0/instructions")" "$(cat "$run/1/instructions")" $seconds |
     awk -v differing="${differing:-same}" '{
-      printf "%-26s %15d %15d %7.4f %8.3f %8.3f %6.2f  %s\n", $1, $2, $3, $3 / $2, $4, $5,
+      printf "%-26s %15.0f %15.0f %7.4f %8.3f %8.3f %6.2f  %s\n", $1, $2, $3, $3 / $2, $4, $5,
              ($4 > 0 ? $5 / $4 : 1), differing }'
 }
 
