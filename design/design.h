@@ -84,7 +84,8 @@ struct LoadCase {
   std::vector<double> pressures_kpa;
 };
 
-enum class WallKind { layered, mixture };
+/// A wall in layers or smeared, or the drawn lattice itself in a unit cell.
+enum class WallKind { layered, mixture, unit_cell };
 enum class ColumnModel { distributed, rods };
 enum class JointModel { none, paper, clear_span };
 

@@ -192,7 +192,8 @@ std::vector<LoadCase> read_load(const Field& field, std::size_t segments) {
 
 ModelChoice read_model(const Field& field) {
   constexpr Word<WallKind> kinds[] = {{"layered", WallKind::layered},
-                                      {"mixture", WallKind::mixture}};
+                                      {"mixture", WallKind::mixture},
+                                      {"unit-cell", WallKind::unit_cell}};
   constexpr Word<ColumnModel> columns[] = {{"distributed", ColumnModel::distributed},
                                            {"rods", ColumnModel::rods}};
   constexpr Word<JointModel> joints[] = {{"none", JointModel::none},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/prepared_segment.h"
 
+#include "model/cell/unit_cell.h"
 #include "model/section/section_reading.h"
 
 namespace latticast {
@@ -8,9 +9,13 @@ namespace latticast {
 PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model,
                                 const StrandLaws& known) {
   if (model.columns == ColumnModel::rods) {
-    return {segment.length_mm, prepare_rods(segment, known)};
+    return {segment.length_mm, prepare_rods(segment, known), nullptr};
   }
-  return {segment.length_mm, prepare_section(segment, model, known)};
+  PreparedSegment prepared{segment.length_mm, prepare_section(segment, model, known), nullptr};
+  if (model.wall == WallKind::unit_cell) {
+    prepared.cell = std::make_shared<const UnitCell>(make_unit_cell(segment));
+  }
+  return prepared;
 }
 
 StrandLaws laws_of(const PreparedSegment& segment) {

@@ -2,6 +2,7 @@
 // A segment prepared for prediction: everything of its model that does not depend on pressure.
 #pragma once
 
+#include <memory>
 #include <variant>
 
 #include "design/design.h"
@@ -11,11 +12,15 @@
 
 namespace latticast {
 
+struct UnitCell;
+
 /// A segment with everything that does not depend on pressure: its symmetry settled, its horseshoe
 /// laws built. Immutable: any number of predictions, on any number of threads, may share it.
 struct PreparedSegment {
   double length_mm = 0;
   std::variant<Section, Rods> section;
+  /// Whose energy takes the place of the section's; empty unless the model is a unit cell.
+  std::shared_ptr<const UnitCell> cell;
 };
 
 /// Prepares a segment under the chosen column model, reusing `known` laws where they fit. Throws

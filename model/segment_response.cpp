@@ -5,11 +5,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
 
 #include "design/units.h"
+#include "model/cell/unit_cell.h"
 #include "model/effective_rods/rods_response.h"
 #include "model/equilibrium/branch.h"
 #include "model/equilibrium/branch_text.h"
@@ -122,10 +124,19 @@ std::vector<std::size_t> requests_of_sign(std::span<const double> pressures_kpa,
   return order;
 }
 
+EnergySource source_of(const std::shared_ptr<UnitCellEnergy>& energy) {
+  if (!energy) return {};
+  return {.at = [energy](const Deformation& at) { return energy->at(at); },
+          .finer = [energy](const Deformation& at) { return energy->nearer_to_mesh(at); }};
+}
+
 class ResponseSolver {
  public:
-  ResponseSolver(const Section& section, double length_mm, Held held, const SolverOptions& options)
-      : branch_(section, held, options), held_(held), length_mm_(length_mm) {}
+  ResponseSolver(const PreparedSegment& segment, Held held, const SolverOptions& options)
+      : cell_(segment.cell ? std::make_shared<UnitCellEnergy>(*segment.cell) : nullptr),
+        branch_(std::get<Section>(segment.section), held, options, source_of(cell_)),
+        held_(held),
+        length_mm_(segment.length_mm) {}
 
   void report_solved(Response& response) const {
     constexpr std::array names = {"stretch", "twist", "radius", "bend-1", "bend-2"};
@@ -172,9 +183,12 @@ class ResponseSolver {
   void report_loss(Response& response) const {
     response.status = Status::not_converged;
     const double pressure = kpa_from_mpa(branch_.balance().pressure_mpa(branch_.here().x));
-    append(response.message, "the equilibrium could not be followed beyond " +
-                                 pressure_text(pressure) +
-                                 reason_of_loss(branch_.balance(), branch_.here()));
+    const std::string reason =
+        cell_ && cell_->buckled()
+            ? ": the wall buckles between the lattice's strands and rings there"
+            : reason_of_loss(branch_.balance(), branch_.here());
+    append(response.message,
+           "the equilibrium could not be followed beyond " + pressure_text(pressure) + reason);
   }
 
   void report_critical_points(Response& response) const {
@@ -202,6 +216,7 @@ class ResponseSolver {
   }
 
   Clock::time_point since_ = Clock::now();  // first: the first state pays for setting up
+  std::shared_ptr<UnitCellEnergy> cell_;
   Branch branch_;
   Held held_;
   double length_mm_;
@@ -222,7 +237,7 @@ Response predict(const PreparedSegment& segment, std::span<const double> pressur
     predict_rods(*rods, segment.length_mm, pressures_kpa, held, response);
     return response;
   }
-  ResponseSolver solver(std::get<Section>(segment.section), segment.length_mm, held, options);
+  ResponseSolver solver(segment, held, options);
   solver.report_solved(response);
   solver.follow(pressures_kpa, false, response);
   solver.follow(pressures_kpa, true, response);

@@ -16,6 +16,18 @@
 namespace latticast {
 namespace {
 
+const char* wall_name(WallKind wall) {
+  switch (wall) {
+    case WallKind::layered:
+      return "layered";
+    case WallKind::mixture:
+      return "mixture";
+    case WallKind::unit_cell:
+      return "unit-cell";
+  }
+  return "";
+}
+
 using Json = nlohmann::ordered_json;
 constexpr std::size_t most_line_points = 20000;  // of all cases together
 
@@ -86,7 +98,7 @@ Json design_json(const Design& design) {
   }
   return {{"segments", segments},
           {"model",
-           {{"kind", design.model.wall == WallKind::layered ? "layered" : "mixture"},
+           {{"kind", wall_name(design.model.wall)},
             {"columns", design.model.columns == ColumnModel::distributed ? "distributed" : "rods"},
             {"joint", name(design.model.joint)}}},
           {"tolerance_mm", design.output.tolerance_mm}};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "model/numerics/small_matrix.h"
 #include "model/section/section_energy.h"
@@ -56,8 +57,9 @@ void Balance::sort_coordinates(Held held, bool all_unknowns) {
   }
 }
 
-Balance::Balance(const Section& section, Held held, const SolverOptions& options)
-    : section_(section) {
+Balance::Balance(const Section& section, Held held, const SolverOptions& options,
+                 EnergySource source)
+    : section_(section), source_(std::move(source)) {
   sort_coordinates(held, options.all_unknowns);
   const double outer = section.outer_radius_mm;
   scale_ = {1, 1 / outer, section.inner_radius_mm, 1 / outer, 1 / outer};
@@ -66,8 +68,8 @@ Balance::Balance(const Section& section, Held held, const SolverOptions& options
                              (section.isotropic_to_mm + section.isotropic_from_mm);
   energy_ = section.shear_modulus_mpa * rubber_area;
 
-  points_fixed_ = options.fixed_quadrature > 0;
-  if (points_fixed_) {
+  points_fixed_ = options.fixed_quadrature > 0 || source_.at;
+  if (options.fixed_quadrature > 0) {
     const int points = options.fixed_quadrature;
     set_points(points, points, std::max(points, 4));
   } else {
@@ -83,10 +85,12 @@ Balance::Balance(const Section& section, Held held, const SolverOptions& options
 }
 
 std::optional<BalanceAt> Balance::at(std::span<const double> x) const {
+  if (source_.at) return balanced(x, source_.at(deformation(x)));
   return evaluate(x, quadrature_);
 }
 
 std::optional<BalanceAt> Balance::finer_at(std::span<const double> x) const {
+  if (source_.finer) return balanced(x, source_.finer(deformation(x)));
   return evaluate(x, finer_);
 }
 
@@ -156,9 +160,13 @@ Deformation Balance::deformation(std::span<const double> x) const {
 
 std::optional<BalanceAt> Balance::evaluate(std::span<const double> x,
                                            const Quadrature& quadrature) const {
-  const Deformation q = deformation(x);
-  const std::optional<SectionEnergy> stored = stored_energy(section_, quadrature, q, active_);
+  return balanced(x, stored_energy(section_, quadrature, deformation(x), active_));
+}
+
+std::optional<BalanceAt> Balance::balanced(std::span<const double> x,
+                                           const std::optional<SectionEnergy>& stored) const {
   if (!stored) return std::nullopt;
+  const Deformation q = deformation(x);
   const SectionEnergy cavity = cavity_growth(section_, q);
   const double pressure = pressure_mpa(x);
 

@@ -4,12 +4,14 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 #include "model/equilibrium/response.h"
 #include "model/section/quadrature.h"
+#include "model/section/section_energy.h"
 
 namespace latticast {
 
@@ -35,6 +37,13 @@ struct SuppressedModes {
   int count = 0;
 };
 
+/// What may take the place of the section's own energy, as a unit cell does. Empty: nothing.
+struct EnergySource {
+  using Energy = std::function<std::optional<SectionEnergy>(const Deformation&)>;
+  Energy at;
+  Energy finer;  ///< what errors are measured with
+};
+
 /// Scaled coordinates are (lambda - 1, k R_o, kappa R_o, a/R_i - 1), the bore last; energies are in
 /// units of G A (liner shear modulus at rest times rubber cross-section). The pressure unit is the
 /// one that moves the rest state at unit speed in these coordinates, so that pressure and state
@@ -43,7 +52,11 @@ struct SuppressedModes {
 /// is not coupled to that of the others, is still asked for stability.
 class Balance {
  public:
-  Balance(const Section& section, Held held, const SolverOptions& options);
+  Balance(const Section& section, Held held, const SolverOptions& options,
+          EnergySource source = {});
+
+  /// Whether its energy is not the section's own.
+  bool has_source() const { return static_cast<bool>(source_.at); }
 
   int free_count() const { return static_cast<int>(free_.size()); }
 
@@ -79,11 +92,14 @@ class Balance {
 
  private:
   std::optional<BalanceAt> evaluate(std::span<const double> x, const Quadrature& quadrature) const;
+  std::optional<BalanceAt> balanced(std::span<const double> x,
+                                    const std::optional<SectionEnergy>& stored) const;
   Quadrature quadrature(int liner, int lattice, int around) const;
   void set_points(int liner, int lattice, int around);
   void sort_coordinates(Held held, bool all_unknowns);
 
   Section section_;
+  EnergySource source_;
   std::vector<int> active_;  // coordinates with a derivative: free ones, and held ones that react
   std::vector<int> free_;    // solved for
   std::vector<int> suppressed_;  // free, but zero by symmetry

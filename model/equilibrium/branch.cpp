@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "model/equilibrium/law_limits.h"
 #include "model/equilibrium/state_error.h"
@@ -16,8 +17,8 @@ constexpr double extremum_goal = 1e-9;   // of the state at an angle extremum
 
 }  // namespace
 
-Branch::Branch(const Section& section, Held held, const SolverOptions& options)
-    : balance_(section, held, options),
+Branch::Branch(const Section& section, Held held, const SolverOptions& options, EnergySource source)
+    : balance_(section, held, options, std::move(source)),
       options_(options),
       n_(balance_.free_count()),
       newton_(n_ + 1) {
@@ -33,7 +34,17 @@ void Branch::restart() {
 }
 
 std::optional<BranchState> Branch::correct(const BranchPoint& start, const BranchPoint& normal) {
-  auto state = corrected(equations_of(balance_), newton_, start, normal, here_.tangent);
+  EquilibriumEquations equations = equations_of(balance_);
+  // Where a state is dear, a correction that would not count is not carried to its end.
+  if (balance_.has_source()) {
+    const double reach = 2 * greatest_contraction * std::max(distance(start, here_.x), first_step);
+    equations.at = [this, start, reach](std::span<const double> x) {
+      BranchPoint point{};
+      std::copy(x.begin(), x.end(), point.begin());
+      return distance(point, start) > reach ? std::nullopt : balance_.at(x);
+    };
+  }
+  auto state = corrected(equations, newton_, start, normal, here_.tangent);
   iterations_ += newton_.iterations();
   return state;
 }
@@ -155,6 +166,9 @@ Reached Branch::end_of_growth() {
 }
 
 std::optional<CriticalState> Branch::limit_point_before(const BranchState& beyond) {
+  if (balance_.has_source()) {
+    return limit_point_between(equations_of(balance_), here_, beyond, in_plane());
+  }
   if (!limit_newton_) limit_newton_.emplace(limit_point_unknowns(n_));
   BranchPoint guess = limit_point_guess(here_, beyond);
   while (true) {

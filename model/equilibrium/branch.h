@@ -21,7 +21,7 @@ enum class Reached { target, end, lost };
 /// count: judged_step. What is looked for in each: model/equilibrium/branch_events.h.
 class Branch {
  public:
-  Branch(const Section& section, Held held, const SolverOptions& options);
+  Branch(const Section& section, Held held, const SolverOptions& options, EnergySource source = {});
 
   /// Back to the rest state, which is exact.
   void restart();

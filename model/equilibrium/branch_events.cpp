@@ -10,8 +10,23 @@ namespace latticast {
 namespace {
 
 constexpr double bifurcation_accuracy = 1e-12;  // of its load, relative
+constexpr double limit_accuracy = 1e-6;         // of its load, relative
 constexpr int most_event_searches = 60;
 constexpr int limit_checks = 8;  // parts of the way to a limit point
+
+/// Relative error of a limit point's pressure: what the finer energy pushes along the branch, over
+/// what the load does.
+double limit_pressure_error(const EquilibriumEquations& equations, const BranchState& limit) {
+  const auto finer = equations.finer_at(limit.x);
+  if (!finer) return HUGE_VAL;
+  double pushed = 0;
+  double loaded = 0;
+  for (int i = 0; i < equations.size; ++i) {
+    pushed += limit.tangent[i] * finer->residual[i];
+    loaded += limit.tangent[i] * finer->load_vector[i];
+  }
+  return 2 * std::abs(pushed / (loaded * limit.x[equations.size]));
+}
 
 BranchPoint bore_axis(int size) {
   BranchPoint axis{};
@@ -47,6 +62,32 @@ bool is_connected(const BranchState& here, const BranchPoint& limit, int size,
     }
   }
   return true;
+}
+
+std::optional<CriticalState> limit_point_between(const EquilibriumEquations& equations,
+                                                 const BranchState& here, const BranchState& beyond,
+                                                 const CorrectInPlane& correct) {
+  const int n = equations.size;
+  const double step = distance(here.x, beyond.x);
+  BranchPoint chord{};
+  for (std::size_t i = 0; i < chord.size(); ++i) chord[i] = (beyond.x[i] - here.x[i]) / step;
+  const double sign = here.tangent[n] > 0 ? 1 : -1;
+  RootSearch search(0, std::abs(here.tangent[n]), step, -std::abs(beyond.tangent[n]));
+  for (int i = 0; i < most_event_searches; ++i) {
+    const double way = search.next();
+    const BranchPoint start = between(here.x, beyond.x, way / step);
+    const auto middle = correct(start, chord);
+    if (!middle || distance(middle->x, start) > greatest_contraction * step) return std::nullopt;
+    const double along = dot(middle->tangent, chord) > 0 ? 1 : -1;
+    const double rise = sign * along * middle->tangent[n];
+    // The pressure's distance from its extreme is of second order in its slope.
+    if (std::abs(rise) * search.width() < limit_accuracy * std::abs(middle->x[n])) {
+      return CriticalState{CriticalKind::limit_point, middle->x, middle->balance,
+                           limit_pressure_error(equations, *middle)};
+    }
+    search.narrow(way, rise);
+  }
+  return std::nullopt;
 }
 
 std::optional<CriticalState> bifurcation_between(const BranchState& here, const BranchState& beyond,

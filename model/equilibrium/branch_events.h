@@ -26,6 +26,13 @@ inline constexpr double closed_bore = -0.999;
 /// nearly linear in arc length.
 BranchPoint limit_point_guess(const BranchState& here, const BranchState& beyond);
 
+/// The limit point between two states, by a search along the branch for where the pressure stops
+/// rising: for energies whose Hessian is not good to the digits that locate_limit_point() takes
+/// differences of. Its pressure is good to 1e-6; its error is that of the energy, by `finer_at`.
+std::optional<CriticalState> limit_point_between(const EquilibriumEquations& equations,
+                                                 const BranchState& here, const BranchState& beyond,
+                                                 const CorrectInPlane& correct);
+
 /// Whether `x` lies between two states of the branch, with a tenth of the step to spare: anything
 /// else belongs to another branch.
 bool lies_between(const BranchPoint& x, const BranchState& here, const BranchState& beyond);

@@ -72,7 +72,7 @@ struct Layer {
 StrandFamily strand_family(const Layer& layer, std::size_t index) {
   const Segment& segment = layer.segment;
   const Grid& grid = segment.lattice->grids[index];
-  const bool layered = layer.model.wall == WallKind::layered;
+  const bool layered = layer.model.wall != WallKind::mixture;
   if (!layered) refuse_in_mixture(grid, index);
   const double modulus = strand_modulus_mpa(*segment.lattice);
   // Exactly mirrored for mirrored angles: a symmetric lattice is symmetric to the last bit, and

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Energy of one finite element in the moving frame of a section, with gradient and Hessian by its
+// nodes and by the tube's coordinates: quadratic displacement, discontinuous linear pressure
+// condensed in the element (Q2/P-1, [Bathe 2014] 4.5).
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "model/cell/cell_mesh.h"
+
+namespace latticast {
+
+/// The tube's coordinates that strain a cell as a whole: lambda - 1, k, and kappa about two axes
+/// (docs/model.md#coordinates). Its section at Z is placed and turned by them, so that
+///     F = grad y + (lambda e3 + Omega x y) e3,  Omega = (kappa_1, kappa_2, k),
+/// y being the place in the section's moving frame.
+using TubeStrain = std::array<double, 4>;
+inline constexpr int tube_strains = 4;
+
+/// Pressure in an element, by 1, xi, eta and zeta: MPa.
+using ElementPressure = std::array<double, 4>;
+
+/// By an element's 27 x 3 components, node after node, then the tube's strains; the Hessian's rows
+/// one after the other, upper triangle only.
+struct ElementEnergy {
+  static constexpr int size = 27 * 3 + tube_strains;
+  double energy = 0;  ///< N mm
+  std::array<double, size> gradient{};
+  std::array<double, std::size_t{size} * size> hessian{};
+  ElementPressure pressure{};                               ///< that the change of volume asks for
+  std::array<double, std::size_t{4} * size> pressure_by{};  ///< its derivatives, row after row
+};
+
+/// Displacements of the element's nodes by their components. False where a Gauss point is turned
+/// inside out or a law's limit is reached. With a pressure `held`, the curvature of the volume
+/// ratio is weighed by that in place of the element's own: as Newton's method has it where
+/// pressures are unknowns, which converges from much further away when the bulk modulus is high.
+bool evaluate(const CellMesh& mesh, const CellElement& element,
+              std::span<const std::array<double, 3>, 27> displacement, const TubeStrain& strain,
+              const ElementPressure* held, ElementEnergy& result);
+
+/// Volume that a bore face encloses with the tube's axis, over the cell's own length, exact for any
+/// twist and bending:
+///     integral of det[y, D_s y, D_Z y]/3 + lambda det[y, y_s, e3]/2 ds dZ,  D = d + Omega x,
+/// with gradient and Hessian by its 9 x 3 components, then the tube's strains.
+struct CavityPart {
+  static constexpr int size = 9 * 3 + tube_strains;
+  double volume_mm3 = 0;
+  std::array<double, size> gradient{};
+  std::array<double, std::size_t{size} * size> hessian{};  ///< upper triangle
+};
+void evaluate(const CellMesh& mesh, const std::array<std::int32_t, 9>& face,
+              std::span<const std::array<double, 3>, 9> displacement, const TubeStrain& strain,
+              CavityPart& result);
+
+}  // namespace latticast

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unit cell of a segment: the drawn lattice bonded on the liner, one period of it, meshed twice;
+// its energy is extrapolated from both meshes (docs/unit-cell.md).
+#pragma once
+
+#include <optional>
+
+#include "design/design.h"
+#include "model/cell/cell_mesh.h"
+#include "model/cell/condensed_cell.h"
+
+namespace latticast {
+
+/// Immutable, like everything that prediction shares.
+struct UnitCell {
+  CellMesh coarse;
+  CellMesh fine;
+};
+
+/// Throws UnsupportedDesign where the segment has no cell that can be meshed yet: one even family
+/// of straight strips that leave gaps, with or without evenly pitched rings, has.
+UnitCell make_unit_cell(const Segment& segment);
+
+/// A cell's stored energy as a function of the section's coordinates; it follows them, so one
+/// object belongs to one path of states.
+class UnitCellEnergy {
+ public:
+  explicit UnitCellEnergy(const UnitCell& cell);
+
+  /// Extrapolated to elements of no size: their error being proportional to the elements' size
+  /// where strips and rings leave sharp edges. Empty where a mesh cannot be followed.
+  std::optional<SectionEnergy> at(const Deformation& deformation);
+
+  /// Whether the wall buckled within the cell where at() was empty.
+  bool buckled() const { return buckled_; }
+
+  /// By a quarter of what extrapolation changed nearer to the fine mesh: what errors are measured
+  /// with.
+  std::optional<SectionEnergy> nearer_to_mesh(const Deformation& deformation);
+
+ private:
+  std::optional<SectionEnergy> combined(const Deformation& deformation, double share);
+
+  CondensedCell coarse_;
+  CondensedCell fine_;
+  bool buckled_ = false;
+};
+
+}  // namespace latticast

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Elements of the unit cell: derivatives against differences, the patch test, and a rotated world.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "model/cell/element_energy.h"
+#include "tests/random_numbers.h"
+#include "tests/unit/model/cell/cell_meshes.h"
+
+namespace latticast::testing {
+namespace {
+
+template <std::size_t N>
+using Components = std::array<std::array<double, 3>, N>;
+
+template <std::size_t N>
+Components<N> random_components(Random& random, double size) {
+  Components<N> u{};
+  for (auto& node : u) {
+    for (double& x : node) x = random.between(-size, size);
+  }
+  return u;
+}
+
+constexpr TubeStrain strain = {0.1, 0.01, 0.002, -0.003};
+
+template <std::size_t N, class Evaluate>
+void expect_derivatives(const Components<N>& u, const Evaluate& evaluated, double scale) {
+  using Part = std::decay_t<decltype(evaluated(u, strain))>;
+  constexpr int unknowns = 3 * N;
+  constexpr double step = 1e-5;
+  const Part at = evaluated(u, strain);
+  for (int k = 0; k < Part::size; ++k) {
+    Components<N> ahead = u;
+    Components<N> behind = u;
+    TubeStrain ahead_strain = strain;
+    TubeStrain behind_strain = strain;
+    (k < unknowns ? ahead[k / 3][k % 3] : ahead_strain[k - unknowns]) += step;
+    (k < unknowns ? behind[k / 3][k % 3] : behind_strain[k - unknowns]) -= step;
+    const Part a = evaluated(ahead, ahead_strain);
+    const Part b = evaluated(behind, behind_strain);
+    for (int i = 0; i <= k; ++i) {
+      const double expected = at.hessian[i * Part::size + k];
+      EXPECT_NEAR((a.gradient[i] - b.gradient[i]) / (2 * step), expected,
+                  1e-7 * (scale + std::abs(expected)))
+          << i << ' ' << k;
+    }
+  }
+}
+
+TEST(CellElement, HasItsDerivatives) {
+  const CellMesh mesh = strip_cell(strips(36), small_division);
+  Random random(4);
+  for (const std::size_t e : {std::size_t{0}, mesh.elements.size() - 1}) {
+    const auto evaluated = [&](const Components<27>& u, const TubeStrain& q) {
+      ElementEnergy result;
+      EXPECT_TRUE(evaluate(mesh, mesh.elements[e], u, q, nullptr, result));
+      return result;
+    };
+    expect_derivatives(random_components<27>(random, 0.1), evaluated, 10);
+  }
+}
+
+TEST(CellElement, CavityHasItsDerivatives) {
+  const CellMesh mesh = strip_cell(strips(36), small_division);
+  Random random(5);
+  const auto evaluated = [&](const Components<9>& u, const TubeStrain& q) {
+    CavityPart result;
+    evaluate(mesh, mesh.bore[2], u, q, result);
+    return result;
+  };
+  expect_derivatives(random_components<9>(random, 0.3), evaluated, 1);
+}
+
+/// Node forces of the mesh, as Cartesian vectors, under a displacement field of places at rest.
+template <class Field>
+std::vector<std::array<double, 3>> node_forces(const CellMesh& mesh, const Field& field) {
+  std::vector<std::array<double, 3>> forces(mesh.nodes.size());
+  ElementEnergy part;
+  for (const CellElement& element : mesh.elements) {
+    Components<27> u{};
+    for (std::size_t a = 0; a < 27; ++a) u[a] = field(mesh.nodes[element.nodes[a]]);
+    EXPECT_TRUE(evaluate(mesh, element, u, {}, nullptr, part));
+    for (std::size_t a = 0; a < 27; ++a) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        forces[element.nodes[a]][c] += part.gradient[3 * a + c];
+      }
+    }
+  }
+  return forces;
+}
+
+TEST(CellElement, PassesThePatchTest) {
+  // One deformation gradient everywhere, in a curved and graded mesh of one material: no force
+  // reaches an inner node.
+  CellMesh mesh = bare_tube(12, 16, NeoHookean{0.08}, small_division, 10);
+  constexpr double g[3][3] = {{0.08, 0.03, -0.02}, {-0.05, 0.1, 0.04}, {0.06, -0.03, -0.07}};
+  const auto field = [&](const CellNode& node) {
+    const double c = std::cos(node.angle_rad);
+    const double s = std::sin(node.angle_rad);
+    const double place[3] = {node.radius_mm * c, node.radius_mm * s, node.height_mm};
+    double moved[3] = {};
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) moved[i] += g[i][j] * place[j];
+    }
+    return std::array{c * moved[0] + s * moved[1], c * moved[1] - s * moved[0], moved[2]};
+  };
+  // Inner nodes are those that no face of the patch has: off the radii, heights and sides.
+  double lowest = HUGE_VAL;
+  double highest = -HUGE_VAL;
+  for (const CellNode& node : mesh.nodes) {
+    lowest = std::min(lowest, node.height_mm);
+    highest = std::max(highest, node.height_mm);
+  }
+  std::vector<int> owners(mesh.nodes.size());
+  for (const CellElement& element : mesh.elements) {
+    for (const std::int32_t node : element.nodes) ++owners[node];
+  }
+  const auto forces = node_forces(mesh, field);
+  double largest = 0;
+  double inner = 0;
+  int inner_nodes = 0;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const double force = std::hypot(forces[i][0], forces[i][1], forces[i][2]);
+    largest = std::max(largest, force);
+    // A corner that eight elements share is inside of the patch.
+    if (owners[i] < 8) continue;
+    inner = std::max(inner, force);
+    ++inner_nodes;
+  }
+  ASSERT_GT(inner_nodes, 0);
+  ASSERT_GT(largest, 1e-3);
+  EXPECT_LT(inner, 1e-13 * largest);
+}
+
+TEST(CellElement, DoesNotKnowWhereAroundTheTubeItIs) {
+  const CellMesh mesh = strip_cell(strips(36), small_division);
+  CellMesh turned = mesh;
+  for (CellNode& node : turned.nodes) node.angle_rad += 0.7;
+  Random random(6);
+  const Components<27> u = random_components<27>(random, 0.1);
+  ElementEnergy here;
+  ElementEnergy there;
+  const TubeStrain straight = {0.1, 0.01, 0, 0};
+  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+    ASSERT_TRUE(evaluate(mesh, mesh.elements[e], u, straight, nullptr, here));
+    ASSERT_TRUE(evaluate(turned, turned.elements[e], u, straight, nullptr, there));
+    EXPECT_NEAR(there.energy, here.energy, 1e-12 * here.energy);
+    for (int i = 0; i < 83; ++i) {
+      EXPECT_NEAR(there.gradient[i], here.gradient[i], 1e-10 * (1 + std::abs(here.gradient[i])));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace latticast::testing

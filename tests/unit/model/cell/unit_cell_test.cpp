@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The condensed unit cell against closed forms, symmetry and a finer finite-element mesh.
+#include "model/cell/unit_cell.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "design/unsupported_design.h"
+#include "model/section/section_reading.h"
+#include "model/segment_response.h"
+#include "numerics/root_search.h"
+#include "tests/unit/model/cell/cell_meshes.h"
+#include "tests/unit/model/segments.h"
+
+namespace latticast::testing {
+namespace {
+
+ModelChoice unit_cell() {
+  ModelChoice model;
+  model.wall = WallKind::unit_cell;
+  return model;
+}
+
+/// The twisting tube of docs/unit-cell.md#accuracy.
+Segment twisting(double angle_deg) {
+  Segment segment = paper_segment({angle_deg});
+  segment.lattice->material.law = Linear{19.46, 0.49};
+  segment.lattice->rings = Rings{std::nullopt, 10.0, 2};
+  return segment;
+}
+
+constexpr std::array coordinates = {&Deformation::elongation, &Deformation::twist,
+                                    &Deformation::inner_growth};
+
+constexpr double exactly = 1e-10;
+
+TEST(CondensedCell, HasItsDerivatives) {
+  CondensedCell cell(strip_cell(strips(36), small_division), exactly);
+  const Deformation at{.elongation = 0.05, .twist = -0.002, .inner_growth = 0.4};
+  const SectionEnergy here = *cell.at(at);
+  constexpr std::array steps = {1e-4, 1e-5, 1e-3};
+  for (std::size_t k = 0; k < coordinates.size(); ++k) {
+    Deformation ahead = at;
+    Deformation behind = at;
+    ahead.*coordinates[k] += steps[k];
+    behind.*coordinates[k] -= steps[k];
+    const SectionEnergy a = *cell.at(ahead);
+    const SectionEnergy b = *cell.at(behind);
+    const double slope = (a.value - b.value) / (2 * steps[k]);
+    EXPECT_NEAR(slope, here.gradient[k], 1e-5 * std::abs(here.gradient[k])) << k;
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+      const double second = (a.gradient[i] - b.gradient[i]) / (2 * steps[k]);
+      EXPECT_NEAR(second, here.second(i, k), 1e-6 * std::abs(here.second(i, k))) << i << k;
+    }
+  }
+}
+
+TEST(CondensedCell, FollowsItsPathInFewSteps) {
+  CondensedCell cell(strip_cell(strips(36), small_division));
+  ASSERT_TRUE(cell.at({}));
+  const int before = cell.factorisations();
+  constexpr int states = 10;  // up to 60 kPa, nearly
+  for (int i = 1; i <= states; ++i) {
+    const double share = double(i) / states;
+    ASSERT_TRUE(cell.at(
+        {.elongation = 0.35 * share, .twist = -0.023 * share, .inner_growth = 4.5 * share}));
+  }
+  EXPECT_LE(cell.factorisations() - before, 3 * states);
+}
+
+/// Largest relative error of the gradient, against the section of an incompressible tube.
+double bare_tube_error(const Law& law, const StripDivision& division) {
+  const Deformation q{.elongation = 0.2, .twist = 0.01, .inner_growth = 1.5};
+  const Section section = prepare_section(tube(12, 16, law), {});
+  const auto exact = stored_energy(section, make_quadrature(section, 32, 1, 1, 1), q);
+  CondensedCell cell(bare_tube(12, 16, law, division, 1e7), exactly);
+  for (int i = 1; i < 8; ++i) {
+    const double share = i / 8.0;
+    cell.at({.elongation = share * q.elongation,
+             .twist = share * q.twist,
+             .inner_growth = share * q.inner_growth});
+  }
+  const auto found = cell.at(q);
+  if (!found || !exact) return HUGE_VAL;
+  double error = 0;
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    error = std::max(error, std::abs(found->gradient[i] / exact->gradient[i] - 1));
+  }
+  return error;
+}
+
+TEST(CondensedCell, OfABareTubeIsTheClosedForm) {
+  for (const Law& law :
+       std::vector<Law>{NeoHookean{0.08}, Yeoh{0.03, 0.002, 0.0001}, Gent{0.08, 60},
+                        Mooney{0.03, 0.01}, Ogden{{0.05, -0.01}, {1.3, -3}}}) {
+    EXPECT_LT(bare_tube_error(law, small_division), 2e-4) << law_name(law);
+  }
+}
+
+TEST(CondensedCell, OfABareTubeConvergesWithTheFourthOrder) {
+  StripDivision fine = small_division;
+  fine.strip *= 2;
+  fine.gap *= 2;
+  fine.liner *= 2;
+  const double coarse_error = bare_tube_error(NeoHookean{0.08}, small_division);
+  const double fine_error = bare_tube_error(NeoHookean{0.08}, fine);
+  EXPECT_GT(std::log2(coarse_error / fine_error), 3.6) << coarse_error << ' ' << fine_error;
+}
+
+StripDivision thick_wall() {
+  StripDivision division = small_division;
+  division.strip = 2;
+  division.gap = 4;
+  division.liner = 6;
+  division.grading = 0.5;
+  return division;
+}
+
+TEST(CondensedCell, OfAThickMooneyCylinderInPlaneStrain) {
+  // R 7 to 18.625, C10 80, C01 20: displacements of the bore that [Rivlin 1948]'s solution has.
+  CondensedCell cell(bare_tube(7, 18.625, Mooney{80, 20}, thick_wall(), 1e4), exactly);
+  const auto pressure = [&](double growth) {
+    return cell.at({.inner_growth = growth})->gradient[coordinate::inner_growth] /
+           (2 * pi * (7 + growth));
+  };
+  double from = 0;
+  for (const auto& [load, expected] : std::vector<std::pair<double, double>>{
+           {50, 1.2406129}, {100, 3.2115017}, {150, 7.1818714}}) {
+    double low = from;
+    double high = 1.2 * expected;
+    RootSearch search(low, pressure(low) - load, high, pressure(high) - load);
+    double growth = high;
+    for (int i = 0; i < 60 && search.width() > 1e-9; ++i) {
+      growth = search.next();
+      search.narrow(growth, pressure(growth) - load);
+    }
+    EXPECT_NEAR(growth, expected, 2e-4 * expected);
+    from = expected;
+  }
+}
+
+TEST(CondensedCell, OfAHalfIsThatOfTheWhole) {
+  StripDivision whole = small_division;
+  whole.whole = true;
+  CondensedCell half(strip_cell(strips(36), small_division), exactly);
+  CondensedCell full(strip_cell(strips(36), whole), exactly);
+  const Deformation q{.elongation = 0.1, .twist = -0.005, .inner_growth = 0.8};
+  const auto a = half.at(q);
+  const auto b = full.at(q);
+  ASSERT_TRUE(a && b);
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    EXPECT_NEAR(b->gradient[i], a->gradient[i], 1e-8 * std::abs(a->gradient[i]));
+    for (std::size_t j = 0; j < coordinates.size(); ++j) {
+      EXPECT_NEAR(b->second(i, j), a->second(i, j), 1e-7 * std::abs(a->second(i, j)));
+    }
+  }
+}
+
+struct CellRow {
+  double pressure_kpa = 0;
+  double stretch = 1;
+  double twist_rad_per_mm = 0;
+};
+
+/// tests/golden/fe_cell_twist.csv at one angle: a mesh of 19 838 unknowns.
+std::vector<CellRow> finite_element_rows(double angle_deg) {
+  std::ifstream file(LATTICAST_SOURCE_DIR "/tests/golden/fe_cell_twist.csv");
+  std::vector<CellRow> rows;
+  std::string line;
+  std::getline(file, line);
+  while (std::getline(file, line)) {
+    std::istringstream fields(line);
+    std::vector<double> numbers;
+    for (std::string field; std::getline(fields, field, ',');) numbers.push_back(std::stod(field));
+    if (numbers.at(0) == angle_deg) rows.push_back({numbers.at(4), numbers.at(5), numbers.at(6)});
+  }
+  return rows;
+}
+
+TEST(UnitCell, AgreesWithAFinerMesh) {
+  for (const double angle : {36.0, 60.0}) {
+    const std::vector<CellRow> rows = finite_element_rows(angle);
+    ASSERT_EQ(rows.size(), 6U);
+    std::vector<double> pressures;
+    for (const CellRow& row : rows) pressures.push_back(row.pressure_kpa);
+    const Response response = predict(twisting(angle), unit_cell(), pressures);
+    ASSERT_EQ(response.status, Status::ok);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const State& state = *response.states[i];
+      EXPECT_NEAR((state.stretch - 1) / (rows[i].stretch - 1), 1, 0.03) << angle << ' ' << i;
+      EXPECT_NEAR(state.twist_rad_per_mm / rows[i].twist_rad_per_mm, 1, 0.03);
+      EXPECT_TRUE(state.stable);
+    }
+  }
+}
+
+TEST(UnitCell, OfTheMirroredDesignTwistsTheOtherWay) {
+  const std::vector<double> pressures = {20};
+  const Response right = predict(twisting(36), unit_cell(), pressures);
+  const Response left = predict(twisting(144), unit_cell(), pressures);
+  ASSERT_TRUE(right.states[0] && left.states[0]);
+  EXPECT_NEAR(left.states[0]->stretch, right.states[0]->stretch, 1e-9);
+  EXPECT_NEAR(left.states[0]->twist_rad_per_mm, -right.states[0]->twist_rad_per_mm, 1e-10);
+}
+
+TEST(UnitCell, HoldsCoordinatesAndGivesTheirReactions) {
+  const Response blocked =
+      predict(twisting(36), unit_cell(), std::vector<double>{20}, Held{.twist = true});
+  ASSERT_TRUE(blocked.states[0]);
+  EXPECT_EQ(blocked.states[0]->twist_rad_per_mm, 0);
+  EXPECT_GT(std::abs(blocked.states[0]->torque_nmm), 50);
+  EXPECT_EQ(blocked.states[0]->force_n, 0);
+}
+
+TEST(UnitCell, EndsNearItsLimitPoint) {
+  const Response response = predict(twisting(36), unit_cell(), std::vector<double>{60, 95});
+  ASSERT_TRUE(response.states[0]);
+  EXPECT_FALSE(response.states[1]);
+  ASSERT_EQ(response.critical_points.size(), 1U);
+  EXPECT_EQ(response.critical_points[0].kind, CriticalKind::limit_point);
+  // The section without a cell says 108.8 kPa.
+  EXPECT_NEAR(response.critical_points[0].pressure_kpa, 80, 2);
+}
+
+TEST(UnitCell, RefusesWhatItCannotMesh) {
+  const auto refusal = [](const Segment& segment) {
+    try {
+      make_unit_cell(segment);
+    } catch (const UnsupportedDesign& reason) {
+      return std::string(reason.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(refusal(tube(12, 16, NeoHookean{0.08})).find("there is none"), std::string::npos);
+  EXPECT_NE(refusal(paper_segment({36, 144})).find("one family"), std::string::npos);
+  EXPECT_NE(refusal(columns(std::vector<double>(16, 2.0))).find("curved"), std::string::npos);
+  Segment uneven = twisting(36);
+  uneven.lattice->grids[0].widths_mm[3] = 2.5;
+  EXPECT_NE(refusal(uneven).find("equal width"), std::string::npos);
+  Segment closed = twisting(36);
+  closed.lattice->grids[0].widths_mm.assign(8, 9.0);
+  EXPECT_NE(refusal(closed).find("gap between strips"), std::string::npos);
+  EXPECT_EQ(refusal(twisting(36)), "");
+}
+
+}  // namespace
+}  // namespace latticast::testing
