@@ -12,9 +12,9 @@
 
 #include "design/design.h"
 #include "model/chain.h"
-#include "model/strand/links.h"
 #include "model/prediction.h"
 #include "model/segment_response.h"
+#include "model/strand/links.h"
 
 namespace latticast {
 
