@@ -45,8 +45,8 @@ Json grid_json(const Grid& grid) {
   if (!is_curved(grid.path)) return json;
   const PathDescription path = describe(grid.path);
   Json sizes = Json::object();
-  for (const auto& [name, value] : path.parameters) {
-    std::visit([&](auto size) { sizes[std::string(name)] = size; }, value);
+  for (const auto& parameter : path.parameters) {
+    std::visit([&](auto size) { sizes[std::string(parameter.first)] = size; }, parameter.second);
   }
   json[std::string(path.name)] = std::move(sizes);
   return json;
