@@ -6,20 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/geometry/pattern/strand_outline.h"
+
 namespace latticast {
 namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
-
-double area(const Strand& strand) {
-  double twice = 0;
-  for (std::size_t i = 0; i < strand.outline.size(); ++i) {
-    const PlanePoint& a = strand.outline[i];
-    const PlanePoint& b = strand.outline[(i + 1) % strand.outline.size()];
-    twice += a.u * b.z - b.u * a.z;
-  }
-  return 0.5 * twice;
-}
 
 double total_area(const Pattern& pattern) {
   double sum = 0;
