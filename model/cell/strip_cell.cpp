@@ -117,7 +117,7 @@ class StripCellBuilder {
   }
 
  private:
-  // Of the liner, against its shear modulus: nu 0.4995, of which stiffness depends by 1e-3.
+  // Of the liner, against its shear modulus: nu 0.4995, of which stiffness depends by 2e-4.
   static constexpr double bulk_by_shear = 1000;
   static constexpr double most_poisson_ratio = 0.4995;
 

@@ -36,7 +36,7 @@ struct StripDivision {
 
 /// Half a turn about the radial axis through a crossing of strip and ring maps the tube onto
 /// itself, and so does one about the strip's axis half a pitch further: the cell is what lies
-/// between both. Precondition: strips and rings leave gaps; 0 < angle < pi/2 or exactly pi/2.
+/// between both. Precondition: strips and rings leave gaps; 0 < angle < pi.
 CellMesh strip_cell(const StripTube& tube, const StripDivision& division);
 
 }  // namespace latticast

@@ -75,6 +75,27 @@ TEST(CellElement, CavityHasItsDerivatives) {
   expect_derivatives(random_components<9>(random, 0.3), evaluated, 1);
 }
 
+TEST(CellElement, CavityOfARoundBoreIsItsCylinder) {
+  // pi a^2 lambda per mm, whatever the tube twists and bends about its axis by: the sum over all
+  // images around it.
+  constexpr double growth = 0.7;
+  const CellMesh mesh = strip_cell(strips(36), small_division);
+  Components<9> grown{};
+  for (auto& node : grown) node[0] = growth;
+  double volume = 0;
+  for (int image = 0; image < 8; ++image) {
+    CellMesh turned = mesh;
+    for (CellNode& node : turned.nodes) node.angle_rad += image * pi / 4;
+    for (const auto& face : turned.bore) {
+      CavityPart part;
+      evaluate(turned, face, grown, {0.3, 0.02, 0.003, -0.002}, part);
+      volume += part.volume_mm3;
+    }
+  }
+  const double length = 5;
+  EXPECT_NEAR(volume / length, pi * 12.7 * 12.7 * 1.3, 2e-4 * volume / length);
+}
+
 /// Node forces of the mesh, as Cartesian vectors, under a displacement field of places at rest.
 template <class Field>
 std::vector<std::array<double, 3>> node_forces(const CellMesh& mesh, const Field& field) {

@@ -216,5 +216,17 @@ TEST(StepControl, ASlopeThatDipsMayVanish) {
   EXPECT_TRUE(slope_may_vanish(1, 9, 5));
 }
 
+TEST(LimitPointBetween, FindsTheFold) {
+  Model model(fold());
+  const auto here = model.in_plane({0.3, 0.21}, load_axis(1));
+  const auto beyond = model.in_plane({0.65, 0.2275}, {1, 0});
+  ASSERT_TRUE(here && beyond);
+  const auto limit = limit_point_between(model.equations, *here, *beyond, model.correct());
+  ASSERT_TRUE(limit);
+  EXPECT_EQ(limit->kind, CriticalKind::limit_point);
+  EXPECT_NEAR(limit->x[1], 0.25, 1e-6);
+  EXPECT_NEAR(limit->x[0], 0.5, 1e-3);
+}
+
 }  // namespace
 }  // namespace latticast::testing
