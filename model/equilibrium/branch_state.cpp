@@ -99,8 +99,9 @@ std::optional<BranchState> corrected(const EquilibriumEquations& equations, Newt
     return true;
   };
   BranchPoint x = start;
-  if (!newton.solve(std::span(x).first(n + 1), system, most_corrector_iterations))
+  if (!newton.solve(std::span(x).first(n + 1), system, most_corrector_iterations)) {
     return std::nullopt;
+  }
   return examined(equations, x, last, guide);
 }
 
