@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "design/units.h"
 

@@ -5,7 +5,9 @@
 #include <cctype>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
+
+#include "design/joined.h"
 
 namespace latticast {
 namespace {
@@ -61,9 +63,9 @@ std::vector<std::string> nearest_names(std::string_view typed,
 std::string name_hint(std::string_view typed, const std::vector<std::string>& known,
                       std::string_view label) {
   const std::vector<std::string> near = nearest_names(typed, known);
-  if (!near.empty()) return fmt::format("did you mean {}?", fmt::join(near, " or "));
+  if (!near.empty()) return fmt::format("did you mean {}?", joined(near, " or "));
   if (known.empty()) return fmt::format("there are no {} here", label);
-  return fmt::format("known {}: {}", label, fmt::join(known, ", "));
+  return fmt::format("known {}: {}", label, joined(known, ", "));
 }
 
 }  // namespace latticast

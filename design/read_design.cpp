@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/read_design.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "design/read_segment.h"
 #include "design/read_settings.h"

@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "design/nearest_name.h"
 

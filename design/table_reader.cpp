@@ -6,8 +6,9 @@
 #include <limits>
 #include <tuple>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include "design/joined.h"
 #include "design/nearest_name.h"
 
 namespace latticast {
@@ -109,7 +110,7 @@ std::optional<std::size_t> Field::index_of_word(const std::vector<std::string>& 
   const auto* typed = std::get_if<std::string>(&value_->content);
   const auto found = typed ? std::find(names.begin(), names.end(), *typed) : names.end();
   if (found != names.end()) return found - names.begin();
-  const std::string rule = fmt::format("must be \"{}\"", fmt::join(names, "\" or \""));
+  const std::string rule = fmt::format("must be \"{}\"", joined(names, "\" or \""));
   refuse(rule, typed ? name_hint(*typed, names, "words") : "write one of these words in quotes");
   return std::nullopt;
 }

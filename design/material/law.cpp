@@ -3,7 +3,7 @@
 
 #include <iterator>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace latticast {
 namespace {
@@ -21,7 +21,11 @@ std::vector<std::string_view> names_of(const std::variant<Laws...>*) {
 
 std::string value_text(const LawConstant& constant) {
   if (!constant.is_list) return fmt::format("{:g}", constant.values.front());
-  return fmt::format("[{:g}]", fmt::join(constant.values, ", "));
+  std::string text;
+  for (const double value : constant.values) {
+    text += fmt::format("{}{:g}", text.empty() ? "" : ", ", value);
+  }
+  return fmt::format("[{}]", text);
 }
 
 }  // namespace
@@ -35,7 +39,11 @@ std::string rubber_law_names() {
   std::erase(names, Linear::name);
   const std::string_view last = names.back();
   names.pop_back();
-  return fmt::format("{} or {}", fmt::join(names, ", "), last);
+  std::string text;
+  for (const std::string_view name : names) {
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", name);
+  }
+  return fmt::format("{} or {}", text, last);
 }
 
 double rest_shear_modulus_mpa(const Law& law) {
