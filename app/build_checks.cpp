@@ -7,6 +7,8 @@
 #include "app/products.h"
 #include "checks/check_design.h"
 #include "checks/findings_json.h"
+#include "design/design.h"
+#include "prepared/prepared_design.h"
 
 namespace latticast {
 namespace {

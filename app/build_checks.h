@@ -3,11 +3,12 @@
 #pragma once
 
 #include "app/console.h"
-#include "app/plan.h"
 #include "checks/check_finding.h"
-#include "prepared/prepared_design.h"
 
 namespace latticast {
+
+struct Plan;
+struct PreparedDesign;
 
 /// What can go wrong with the parts that the plan makes, and no others: printing for a lattice or
 /// its mold, casting for molds, the whole load for a preview. A report lists all that the design

@@ -12,6 +12,7 @@
 #include "app/plan.h"
 #include "app/products.h"
 #include "geometry/pattern/drawing_problems.h"
+#include "prepared/prepared_design.h"
 
 namespace latticast {
 ExitStatus run_build(const BuildArguments& arguments, const Console& console) {

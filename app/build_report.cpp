@@ -3,8 +3,16 @@
 
 #include <utility>
 
+#include "app/builder.h"
+#include "app/delivery.h"
+#include "app/plan.h"
+#include "design/design.h"
 #include "design/unsupported_design.h"
+#include "prepared/prepared_responses.h"
+#include "report/report_data.h"
 #include "report/report_page.h"
+#include "report/report_view.h"
+#include "report/view_json.h"
 
 namespace latticast {
 
@@ -53,7 +61,7 @@ void complete_report(const BuildOrder& order, const Delivered& delivered, Report
   for (const PlannedStage& stage : order.plan.stages) {
     report.plan.push_back({std::string(name(stage.stage)), stage.runs, stage.reason});
   }
-  report.findings = order.findings;
+  report.findings = &order.findings;
   report.files = delivered.files;
   for (const DeliveredPiece& piece : delivered.pieces) {
     report.pieces.push_back(report_piece(piece));

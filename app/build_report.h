@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "app/builder.h"
-#include "app/delivery.h"
-#include "report/report_data.h"
-#include "report/report_view.h"
-
 namespace latticast {
+
+struct BuildOrder;
+struct Delivered;
+class PreparedResponses;
+struct ReportData;
+struct ReportView;
 
 /// Fills in the response, or why there is none.
 void predict_report(PreparedResponses& responses, ReportData& report);

@@ -8,6 +8,8 @@
 #include "app/delivery.h"
 #include "app/interrupt.h"
 #include "app/makers.h"
+#include "app/plan.h"
+#include "design/design.h"
 
 namespace latticast {
 namespace {

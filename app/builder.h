@@ -5,14 +5,16 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "app/console.h"
-#include "app/plan.h"
-#include "checks/check_finding.h"
-#include "design/design.h"
-#include "prepared/prepared_design.h"
 
 namespace latticast {
+
+struct CheckFinding;
+struct Design;
+struct Plan;
+struct PreparedDesign;
 
 /// A mesh that this program made fails its own audit: nothing is delivered.
 struct AuditFailed : std::runtime_error {
@@ -23,7 +25,7 @@ struct BuildOrder {
   const Design& design;
   PreparedDesign& prepared;  ///< of the design: what the checks have left there is used
   const Plan& plan;
-  const CheckFindings& findings;  ///< for the report
+  const std::vector<CheckFinding>& findings;  ///< for the report
   std::filesystem::path folder;
   bool times_in_report = false;  ///< its JSON then differs from run to run
 };

@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "design/units.h"
+#include "model/shape/shape.h"
 
 namespace latticast {
 namespace {

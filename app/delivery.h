@@ -13,13 +13,16 @@
 
 #include "app/progress.h"
 #include "app/staging_folder.h"
-#include "design/design.h"
+#include "design/mesh_format.h"
 #include "export/colour.h"
-#include "export/mesh/three_mf_file.h"
 #include "geometry/solid/audit.h"
-#include "geometry/solid/tube_solids.h"
+#include "geometry/solid/solid_error.h"
 
 namespace latticast {
+
+struct Design;
+struct Material;
+struct Solid;
 
 /// A mesh to be delivered, and what a report says of it.
 struct Part {

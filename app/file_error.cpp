@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "geometry/solid/tube_solids.h"
+
 namespace latticast {
 namespace {
 

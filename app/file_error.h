@@ -5,9 +5,11 @@
 #include <string>
 
 #include "geometry/solid/audit.h"
-#include "geometry/solid/tube_solids.h"
+#include "geometry/solid/solid_error.h"
 
 namespace latticast {
+
+struct Solid;
 
 /// How far the solid in a file may be from what it stands for: the mesh's own error, and what
 /// rounding to float32 added. The file's audit tells how much volume that took or gave; of a solid

@@ -2,8 +2,11 @@
 #include <fmt/core.h>
 
 #include "app/makers.h"
+#include "design/design.h"
 #include "export/mesh/glb_file.h"
 #include "export/picture/png_file.h"
+#include "model/shape/shape.h"
+#include "prepared/prepared_design.h"
 #include "report/preview.h"
 
 namespace latticast {

@@ -3,6 +3,9 @@
 
 #include "app/build_report.h"
 #include "app/makers.h"
+#include "prepared/prepared_design.h"
+#include "report/report_data.h"
+#include "report/report_view.h"
 
 namespace latticast {
 namespace {

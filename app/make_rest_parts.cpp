@@ -4,6 +4,9 @@
 
 #include "app/flat_pattern.h"
 #include "app/makers.h"
+#include "design/design.h"
+#include "geometry/solid/tube_solids.h"
+#include "prepared/prepared_design.h"
 
 namespace latticast {
 namespace {

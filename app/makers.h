@@ -9,6 +9,7 @@
 
 #include "app/builder.h"
 #include "app/delivery.h"
+#include "export/mesh/three_mf_file.h"
 
 namespace latticast {
 

@@ -3,11 +3,15 @@
 
 #include <fmt/core.h>
 
+#include "app/plan.h"
+#include "design/design.h"
 #include "molds/cannot_mold.h"
+#include "molds/liner_mold.h"
 #include "molds/mold_options.h"
 #include "molds/plugs.h"
 #include "molds/pour_plan.h"
 #include "molds/print_size.h"
+#include "prepared/prepared_design.h"
 
 namespace latticast {
 namespace {

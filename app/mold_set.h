@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "app/plan.h"
-#include "design/design.h"
 #include "molds/mold_piece.h"
-#include "prepared/prepared_design.h"
 
 namespace latticast {
+
+struct Design;
+struct Material;
+struct Plan;
+struct PreparedDesign;
 
 /// A mold with its place in the design, ready to be written.
 struct PlannedMold {

@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
+
+#include "design/joined.h"
 
 namespace latticast {
 namespace {
@@ -57,9 +58,12 @@ std::string rows_as_table(const NumberRows& numbers) {
 }
 
 std::string rows_as_csv(const NumberRows& numbers) {
-  std::string text = fmt::format("{}\n", fmt::join(numbers.columns, ","));
+  std::string text = joined(numbers.columns, ",") + "\n";
   for (const std::vector<double>& row : numbers.rows) {
-    text += fmt::format("{}\n", fmt::join(row, ","));
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      text += fmt::format("{}{}", i == 0 ? "" : ",", row[i]);
+    }
+    text += "\n";
   }
   return text;
 }

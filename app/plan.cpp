@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "app/products.h"
+#include "design/design.h"
 
 namespace latticast {
 namespace {

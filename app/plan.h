@@ -3,11 +3,12 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "design/design.h"
-
 namespace latticast {
+
+struct Design;
 
 enum class Stage {
   prediction,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "design/design.h"
+
 namespace latticast {
 namespace {
 

@@ -8,9 +8,10 @@
 #include <string_view>
 
 #include "app/plan.h"
-#include "design/design.h"
 
 namespace latticast {
+
+struct Make;
 
 struct Product {
   Stage stage;

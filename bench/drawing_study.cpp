@@ -17,8 +17,10 @@
 #include "bench/study.h"
 #include "design/read_design.h"
 #include "geometry/mesh/weld.h"
+#include "geometry/pattern/cannot_draw.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/audit.h"
+#include "geometry/solid/geometry_error.h"
 #include "geometry/solid/tube_solids.h"
 #include "tests/random_numbers.h"
 

@@ -17,6 +17,7 @@
 #include "bench/study.h"
 #include "model/chain.h"
 #include "model/segment_response.h"
+#include "model/shape/shape.h"
 #include "tests/unit/model/segments.h"
 
 namespace {

@@ -7,6 +7,7 @@
 
 #include "model/chain.h"
 #include "model/segment_response.h"
+#include "model/shape/shape.h"
 
 namespace {
 

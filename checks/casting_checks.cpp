@@ -12,12 +12,17 @@
 #include "checks/bed_check.h"
 #include "checks/lattice_use.h"
 #include "checks/strand_checks.h"
+#include "design/design.h"
 #include "design/units.h"
 #include "geometry/pattern/drawing_problems.h"
-#include "geometry/solid/arrangement.h"
+#include "geometry/solid/geometry_error.h"
+#include "molds/lattice_mold.h"
+#include "molds/liner_mold.h"
 #include "molds/mold_options.h"
 #include "molds/pour_plan.h"
 #include "molds/print_size.h"
+#include "prepared/prepared_lattices.h"
+#include "prepared/prepared_molds.h"
 
 namespace latticast {
 namespace {

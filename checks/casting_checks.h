@@ -3,11 +3,13 @@
 #pragma once
 
 #include "checks/check_finding.h"
-#include "design/design.h"
-#include "molds/lattice_mold.h"
-#include "prepared/prepared_molds.h"
 
 namespace latticast {
+
+struct Design;
+struct LatticeMoldPlan;
+class PreparedLattices;
+class PreparedMolds;
 
 inline constexpr double deepest_groove = 3;  ///< depth / width
 inline constexpr int most_vents = 24;        ///< that are cut off and trimmed without a murmur

@@ -6,6 +6,7 @@
 
 #if LATTICAST_HAS_GEOMETRY
 #include "checks/print_checks.h"
+#include "prepared/prepared_design.h"
 #endif
 #if LATTICAST_HAS_MOLDS
 #include "checks/casting_checks.h"

@@ -3,10 +3,11 @@
 #pragma once
 
 #include "checks/check_finding.h"
-#include "design/design.h"
-#include "prepared/prepared_design.h"
 
 namespace latticast {
+
+struct Design;
+struct PreparedDesign;
 
 /// Which of a design's checks to run.
 struct CheckScope {

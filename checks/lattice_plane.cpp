@@ -7,6 +7,7 @@
 #include <queue>
 
 #include "geometry/mesh/disjoint_sets.h"
+#include "geometry/solid/lattice_drawing.h"
 #include "geometry/solid/plane_mesh.h"
 #include "geometry/solid/region.h"
 

@@ -6,9 +6,10 @@
 
 #include "design/design.h"
 #include "geometry/pattern/pattern.h"
-#include "geometry/solid/lattice_drawing.h"
 
 namespace latticast {
+
+class LatticeDrawing;
 
 /// A closed outline of the material, which lies on its left. Points on a straight line are left
 /// out but for its ends; u runs on past the seam, so that neighbours are never a turn apart.
@@ -35,8 +36,8 @@ struct LatticePlane {
 };
 
 /// The united lattice with its fillets; arcs are chords within 0.01 mm, and within a twentieth of
-/// the thinnest strand and the fillet. Throws CannotDraw (pattern.h) and GeometryError
-/// (arrangement.h).
+/// the thinnest strand and the fillet. Throws CannotDraw and GeometryError
+/// (geometry_error.h).
 LatticePlane lattice_plane(LatticeDrawing& drawing);
 
 /// Twice the radius of the largest circle in a simple polygon, from below: within `slack_mm`, and

@@ -4,9 +4,10 @@
 #pragma once
 
 #include "checks/check_finding.h"
-#include "prepared/prepared_responses.h"
 
 namespace latticast {
+
+class PreparedResponses;
 
 /// All checks under the load of the responses' design; none without one. A segment that cannot be
 /// predicted has one finding, not-predictable.

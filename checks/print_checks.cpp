@@ -17,7 +17,8 @@
 #include "design/units.h"
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/pattern/strand_path.h"
-#include "geometry/solid/arrangement.h"
+#include "geometry/solid/geometry_error.h"
+#include "prepared/prepared_lattices.h"
 
 namespace latticast {
 namespace {
@@ -49,10 +50,10 @@ CheckFindings drawing_findings(const Segment& segment, int number) {
   return findings;
 }
 
-std::optional<UnitedLattice> united_lattice(LatticeDrawing& drawing, int number,
-                                            CheckFindings& findings) {
+std::optional<UnitedLattice> united_lattice(const Segment& segment, LatticeDrawing& drawing,
+                                            int number, CheckFindings& findings) {
   try {
-    return UnitedLattice{drawing.segment(), number, lattice_plane(drawing)};
+    return UnitedLattice{segment, number, lattice_plane(drawing)};
   } catch (const GeometryError& fault) {
     findings.push_back(cannot_draw(number, fault.what()));
     return std::nullopt;
@@ -126,7 +127,7 @@ void check_lattice(const Design& design, PreparedLattices& lattices, std::size_t
     if (drawn) append(findings, std::move(problems));
     return;
   }
-  const auto lattice = united_lattice(lattices.of(s), number, findings);
+  const auto lattice = united_lattice(segment, lattices.of(s), number, findings);
   if (!lattice) return;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     CheckFindings more;

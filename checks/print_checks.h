@@ -5,9 +5,10 @@
 
 #include "checks/check_finding.h"
 #include "design/design.h"
-#include "prepared/prepared_lattices.h"
 
 namespace latticast {
+
+class PreparedLattices;
 
 /// What a process prints without supports, from common design rules (docs/checks.md).
 struct FreePrinting {

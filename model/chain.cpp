@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "model/segment_response.h"
+#include "model/shape/shape.h"
 #include "model/strand/links.h"
 
 namespace latticast {

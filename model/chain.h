@@ -10,9 +10,10 @@
 
 #include "design/design.h"
 #include "model/equilibrium/response.h"
-#include "model/shape/shape.h"
 
 namespace latticast {
+
+class Shape;
 
 /// What a chain's segments do at the pressures that its load cases name.
 struct ChainResponse {

@@ -5,10 +5,11 @@
 #include <cmath>
 #include <iterator>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "design/units.h"
-#include "geometry/solid/arrangement.h"
+#include "geometry/solid/geometry_error.h"
+#include "geometry/solid/lattice_drawing.h"
 #include "geometry/solid/self_intersection.h"
 #include "geometry/solid/tolerance_budget.h"
 #include "molds/mold_rings.h"

@@ -6,12 +6,13 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/solid/lattice_drawing.h"
 #include "molds/cannot_mold.h"
 #include "molds/mold_piece.h"
 #include "molds/shell.h"
 
 namespace latticast {
+
+class LatticeDrawing;
 
 struct LatticeMoldOptions {
   MoldFit fit;
@@ -32,7 +33,7 @@ struct LatticeMoldPlan {
 /// Draws the lattice, parts the shell and places sprues, vents and straps. A tolerance above a
 /// fifth of the clearance is refined to that. Precondition: 2 pieces or more. Throws CannotMold (no
 /// wall, no clearance, a clearance as large as the wall or the lattice's layer, pieces without
-/// breadth), CannotDraw and GeometryError (pattern.h, arrangement.h).
+/// breadth), CannotDraw and GeometryError (cannot_draw.h, geometry_error.h).
 LatticeMoldPlan plan_lattice_mold(LatticeDrawing& drawing, const LatticeMoldOptions& options);
 
 /// Of a segment that is drawn for this mold alone.

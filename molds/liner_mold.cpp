@@ -5,9 +5,10 @@
 #include <cmath>
 #include <cstdint>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "design/units.h"
+#include "geometry/solid/lattice_drawing.h"
 #include "geometry/solid/layered_solid.h"
 #include "molds/cannot_mold.h"
 #include "molds/mold_rings.h"

@@ -8,6 +8,8 @@
 
 namespace latticast {
 
+class LatticeDrawing;
+
 inline constexpr double liner_flange_mm = 2;  ///< thickness of a flanged liner's flanges
 
 struct LinerMoldOptions {

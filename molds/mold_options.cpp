@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "molds/mold_options.h"
 
+#include "design/design.h"
+#include "molds/lattice_mold.h"
+#include "molds/liner_mold.h"
 #include "molds/pour_plan.h"
 
 namespace latticast {

@@ -2,11 +2,13 @@
 // What a design asks of its molds, as the molds take it.
 #pragma once
 
-#include "design/design.h"
-#include "molds/lattice_mold.h"
-#include "molds/liner_mold.h"
-
 namespace latticast {
+
+struct Design;
+struct LatticeMoldOptions;
+struct LinerMoldOptions;
+struct Material;
+struct Segment;
 
 /// The strain that a cast strand is given on demolding: a quarter of the material's elongation at
 /// break, because a rubber that is peeled out of a groove again and again is stretched far below

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <numbers>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "design/units.h"
 #include "molds/print_size.h"

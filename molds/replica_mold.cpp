@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "geometry/solid/layered_solid.h"
 #include "geometry/solid/tolerance_budget.h"

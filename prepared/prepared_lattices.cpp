@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prepared/prepared_lattices.h"
 
+#include "design/design.h"
+#include "geometry/solid/lattice_drawing.h"
+
 namespace latticast {
 
+PreparedLattices::PreparedLattices(const Design& design) : design_(design) {}
+PreparedLattices::~PreparedLattices() = default;
+
 LatticeDrawing& PreparedLattices::of(std::size_t segment) {
-  return drawings_.try_emplace(segment, design_.segments[segment]).first->second;
+  std::unique_ptr<LatticeDrawing>& drawing = drawings_[segment];
+  if (!drawing) drawing = std::make_unique<LatticeDrawing>(design_.segments[segment]);
+  return *drawing;
 }
 
 }  // namespace latticast

@@ -4,23 +4,25 @@
 
 #include <cstddef>
 #include <map>
-
-#include "design/design.h"
-#include "geometry/solid/lattice_drawing.h"
+#include <memory>
 
 namespace latticast {
+
+struct Design;
+class LatticeDrawing;
 
 /// For one thread at a time. The design must outlive it.
 class PreparedLattices {
  public:
-  explicit PreparedLattices(const Design& design) : design_(design) {}
+  explicit PreparedLattices(const Design& design);
+  ~PreparedLattices();
 
   /// Precondition: the segment has a lattice.
   LatticeDrawing& of(std::size_t segment);
 
  private:
   const Design& design_;
-  std::map<std::size_t, LatticeDrawing> drawings_;
+  std::map<std::size_t, std::unique_ptr<LatticeDrawing>> drawings_;
 };
 
 }  // namespace latticast

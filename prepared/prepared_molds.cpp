@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prepared/prepared_molds.h"
 
+#include "design/design.h"
+#include "molds/lattice_mold.h"
+#include "molds/liner_mold.h"
 #include "molds/mold_options.h"
 #include "molds/replica_mold.h"
+#include "prepared/prepared_lattices.h"
 
 namespace latticast {
 namespace {
 
 // What `make` gives for the segment, made only when it is not there yet.
 template <class Made, class Maker>
-const Made& kept(std::map<std::size_t, Made>& all, std::size_t segment, const Maker& make) {
-  const auto found = all.find(segment);
-  return found != all.end() ? found->second : all.emplace(segment, make()).first->second;
+const Made& kept(std::map<std::size_t, std::unique_ptr<Made>>& all, std::size_t segment,
+                 const Maker& make) {
+  std::unique_ptr<Made>& made = all[segment];
+  if (!made) made = std::make_unique<Made>(make());
+  return *made;
 }
 
 }  // namespace
+
+PreparedMolds::PreparedMolds(const Design& design, PreparedLattices& lattices)
+    : design_(design), lattices_(lattices) {}
+PreparedMolds::~PreparedMolds() = default;
 
 const LatticeMoldPlan& PreparedMolds::lattice_mold_plan(std::size_t segment) {
   return kept(plans_, segment, [&] {

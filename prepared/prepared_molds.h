@@ -4,19 +4,20 @@
 
 #include <cstddef>
 #include <map>
-
-#include "design/design.h"
-#include "molds/lattice_mold.h"
-#include "molds/liner_mold.h"
-#include "prepared/prepared_lattices.h"
+#include <memory>
 
 namespace latticast {
+
+struct Design;
+struct LatticeMoldPlan;
+struct Mold;
+class PreparedLattices;
 
 /// For one thread at a time. Design and lattices must outlive it.
 class PreparedMolds {
  public:
-  PreparedMolds(const Design& design, PreparedLattices& lattices)
-      : design_(design), lattices_(lattices) {}
+  PreparedMolds(const Design& design, PreparedLattices& lattices);
+  ~PreparedMolds();
 
   /// plan_lattice_mold() with the design's options. Preconditions of this and the next: the design
   /// asks for a lattice mold and the segment has a lattice. Throws as the functions named do.
@@ -31,9 +32,9 @@ class PreparedMolds {
  private:
   const Design& design_;
   PreparedLattices& lattices_;
-  std::map<std::size_t, LatticeMoldPlan> plans_;
-  std::map<std::size_t, Mold> lattice_molds_;
-  std::map<std::size_t, Mold> liner_molds_;
+  std::map<std::size_t, std::unique_ptr<LatticeMoldPlan>> plans_;
+  std::map<std::size_t, std::unique_ptr<Mold>> lattice_molds_;
+  std::map<std::size_t, std::unique_ptr<Mold>> liner_molds_;
 };
 
 }  // namespace latticast

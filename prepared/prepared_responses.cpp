@@ -1,12 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prepared/prepared_responses.h"
 
+#include <map>
+#include <tuple>
+
+#include "design/design.h"
+#include "model/chain.h"
+#include "model/prediction.h"
+#include "model/segment_response.h"
+#include "model/strand/links.h"
+
 namespace latticast {
+namespace {
+
+using SectionKey = std::tuple<std::size_t, ModulusFactors>;
+using ResponseKey = std::tuple<std::size_t, ModulusFactors, std::vector<double>>;
+
+}  // namespace
+
+struct PreparedResponses::Kept {
+  std::map<SectionKey, PreparedSegment> sections;
+  std::map<ResponseKey, Response> responses;
+  LawsByShape laws;
+};
+
+PreparedResponses::PreparedResponses(const Design& design)
+    : design_(design), kept_(std::make_unique<Kept>()) {}
+PreparedResponses::~PreparedResponses() = default;
 
 const PreparedSegment& PreparedResponses::section(std::size_t segment, ModulusFactors factors) {
   const SectionKey key{segment, factors};
-  const auto found = sections_.find(key);
-  if (found != sections_.end()) return found->second;
+  const auto found = kept_->sections.find(key);
+  if (found != kept_->sections.end()) return found->second;
   Segment scaled_segment = design_.segments[segment];
   if (factors.liner != 1) {
     Law& law = scaled_segment.liner.material.law;
@@ -17,19 +42,19 @@ const PreparedSegment& PreparedResponses::section(std::size_t segment, ModulusFa
     law = scaled(law, factors.lattice);
   }
   PreparedSegment made =
-      prepare_segment(scaled_segment, design_.model, known_laws(laws_, scaled_segment));
-  for (const auto& law : laws_of(made)) laws_.emplace(law->shape(), law);
-  return sections_.emplace(key, std::move(made)).first->second;
+      prepare_segment(scaled_segment, design_.model, known_laws(kept_->laws, scaled_segment));
+  for (const auto& law : laws_of(made)) kept_->laws.emplace(law->shape(), law);
+  return kept_->sections.emplace(key, std::move(made)).first->second;
 }
 
 const Response& PreparedResponses::response(std::size_t segment,
                                             const std::vector<double>& pressures_kpa,
                                             ModulusFactors factors) {
   const ResponseKey key{segment, factors, pressures_kpa};
-  const auto found = responses_.find(key);
-  if (found != responses_.end()) return found->second;
+  const auto found = kept_->responses.find(key);
+  if (found != kept_->responses.end()) return found->second;
   Response solved = predict(section(segment, factors), pressures_kpa);
-  return responses_.emplace(key, std::move(solved)).first->second;
+  return kept_->responses.emplace(key, std::move(solved)).first->second;
 }
 
 SegmentPrediction PreparedResponses::prediction(std::size_t segment,

@@ -5,18 +5,18 @@
 
 #include <compare>
 #include <cstddef>
-#include <map>
+#include <memory>
 #include <span>
-#include <tuple>
 #include <vector>
 
-#include "design/design.h"
-#include "model/chain.h"
-#include "model/prediction.h"
-#include "model/segment_response.h"
-#include "model/strand/links.h"
-
 namespace latticast {
+
+struct ChainResponse;
+struct Design;
+struct LoadCase;
+struct PreparedSegment;
+struct Response;
+struct SegmentPrediction;
 
 /// Materials that are softer or stiffer than stated.
 struct ModulusFactors {
@@ -30,7 +30,8 @@ struct ModulusFactors {
 /// UnsupportedDesign as prepare_segment does.
 class PreparedResponses {
  public:
-  explicit PreparedResponses(const Design& design) : design_(design) {}
+  explicit PreparedResponses(const Design& design);
+  ~PreparedResponses();
 
   const Design& design() const { return design_; }
 
@@ -49,13 +50,10 @@ class PreparedResponses {
   ChainResponse chain(std::span<const LoadCase> cases);
 
  private:
-  using SectionKey = std::tuple<std::size_t, ModulusFactors>;
-  using ResponseKey = std::tuple<std::size_t, ModulusFactors, std::vector<double>>;
+  struct Kept;
 
   const Design& design_;
-  std::map<SectionKey, PreparedSegment> sections_;
-  std::map<ResponseKey, Response> responses_;
-  LawsByShape laws_;
+  std::unique_ptr<Kept> kept_;
 };
 
 }  // namespace latticast

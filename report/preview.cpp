@@ -9,9 +9,11 @@
 #include <set>
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
+#include "model/shape/shape.h"
 #include "model/shape/strand_strain.h"
+#include "prepared/prepared_responses.h"
+#include "report/no_equilibrium.h"
 
 namespace latticast {
 namespace {
@@ -29,7 +31,11 @@ std::string case_label(const LoadCase& load, std::size_t number) {
                                         std::not_equal_to<>()) == pressures.end();
   if (alike) return fmt::format("{}kPa", pressures.front());
   if (pressures.size() > most_named_pressures) return fmt::format("case-{}", number);
-  return fmt::format("{}kPa", fmt::join(pressures, "_"));
+  std::string label;
+  for (const double pressure : pressures) {
+    label += fmt::format("{}{}", label.empty() ? "" : "_", pressure);
+  }
+  return label + "kPa";
 }
 
 [[noreturn]] void refuse_case(const ChainResponse& chain, std::size_t load_case) {

@@ -2,7 +2,6 @@
 // The design under pressure: predicted shapes, and meshes fine enough to be moved by them.
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -11,18 +10,14 @@
 #include "export/picture/picture.h"
 #include "geometry/solid/tube_solids.h"
 #include "model/chain.h"
-#include "prepared/prepared_responses.h"
+#include "model/shape/shape.h"
 
 namespace latticast {
 
+class PreparedResponses;
+
 inline constexpr Colour preview_lattice_colour{0.16, 0.36, 0.62};
 inline constexpr Colour preview_liner_colour{0.93, 0.86, 0.76};
-
-/// A preview asks for a pressure at which there is no equilibrium; what() names it and the limit
-/// point.
-struct NoEquilibrium : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// The chain's shape in one load case.
 struct PreviewShape {

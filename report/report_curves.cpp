@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "prepared/prepared_responses.h"
+
 namespace latticast {
 namespace {
 

@@ -7,9 +7,10 @@
 #include "design/design.h"
 #include "model/chain.h"
 #include "model/prediction.h"
-#include "prepared/prepared_responses.h"
 
 namespace latticast {
+
+class PreparedResponses;
 
 /// One segment over its whole load, rest included: pressures ascending, each once, at least 33 of
 /// them where the load is more than rest, and closer together toward the branch's end if that lies

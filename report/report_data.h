@@ -8,11 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "checks/check_finding.h"
 #include "design/design.h"
 #include "report/report_curves.h"
 
 namespace latticast {
+
+struct CheckFinding;
 
 struct ReportStage {
   std::string name;
@@ -52,7 +53,8 @@ struct ReportData {
   std::vector<ReportStage> plan;
   std::optional<ReportCurves> curves;  ///< absent without a load, or where nothing can be predicted
   std::string curves_missing;          ///< why
-  CheckFindings findings;
+  const std::vector<CheckFinding>* findings = nullptr;  ///< must outlive this; none: nothing was
+                                                        ///< found
   std::vector<ReportPiece> pieces;
   std::vector<std::string> files;
   std::vector<ReportTime> times;

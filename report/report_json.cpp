@@ -8,9 +8,9 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
-#include "checks/findings_json.h"
 #include "design/units.h"
 #include "model/shape/shape.h"
+#include "report/checks_json.h"
 #include "report/report_data.h"
 
 namespace latticast {
@@ -379,8 +379,7 @@ std::string report_json(const ReportData& data, bool with_times) {
   json["plan"] = plan_json(data.plan);
   json["prediction"] = prediction_json(data);
   json["prediction_missing"] = data.curves_missing;
-  json["checks"] = Json::object();
-  add_findings(data.findings, json["checks"]);
+  json["checks"] = checks_json(data.findings);
   json["pieces"] = Json::array();
   for (const ReportPiece& piece : data.pieces) json["pieces"].push_back(piece_json(piece));
   json["files"] = data.files;

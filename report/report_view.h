@@ -6,14 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "checks/check_finding.h"
-#include "design/design.h"
 #include "export/colour.h"
 #include "geometry/mesh/triangle_mesh.h"
-#include "prepared/prepared_design.h"
 #include "report/report_curves.h"
 
 namespace latticast {
+
+struct PreparedDesign;
 
 /// A lattice or liner, its segment's base at the origin and its axis along +z.
 struct ViewBody {
@@ -40,10 +39,6 @@ struct ReportView {
 /// all states stay below 110 000; otherwise coarser, up to 1 mm. Without curves only rest is shown.
 /// Throws GeometryError, CannotDraw.
 ReportView make_view(PreparedDesign& prepared, const ReportCurves* curves);
-
-/// The view without its meshes, as the report's page reads it (docs/report.md): states with the far
-/// end's place, load cases, and a place for every finding that has one.
-std::string view_json(const ReportView& view, const Design& design, const CheckFindings& findings);
 
 /// The meshes as a binary glTF file: a node for every body, a morph target for every state.
 std::string view_glb(const ReportView& view);

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "geometry/pattern/cannot_draw.h"
 #include "geometry/pattern/pattern.h"
 #include "geometry/pattern/strand_path.h"
 

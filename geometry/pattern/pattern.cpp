@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/pattern/cannot_draw.h"
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/pattern/rings.h"
 #include "geometry/pattern/straight_path.h"

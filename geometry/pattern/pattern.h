@@ -4,7 +4,6 @@
 // periods.
 #pragma once
 
-#include <stdexcept>
 #include <vector>
 
 #include "design/design.h"
@@ -40,12 +39,6 @@ struct Pattern {
   double length_mm = 0;
   std::vector<Strand> strands;
   DrawingError error{};  ///< of curves drawn as chords; none for straight outlines
-};
-
-/// The design's strands cannot be drawn as asked; what() lists every reason with its place and the
-/// nearest value that works.
-struct CannotDraw : std::runtime_error {
-  using std::runtime_error::runtime_error;
 };
 
 /// Draws the rings and strands of a lattice. Strands keep their width square to themselves at R_c

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "geometry/solid/geometry_error.h"
 #include "geometry/solid/outline_cutter.h"
 
 namespace latticast {

@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <vector>
 
 #include "geometry/pattern/pattern.h"
@@ -58,19 +57,13 @@ struct Arrangement {
   DrawnEdges drawn;                           ///< what the edges' origins count in
 };
 
-/// The design needs more pieces than this program will hold in memory, or its strands graze each
-/// other so finely that the grid cannot part them; what() says which.
-struct GeometryError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// Rounds the patterns' outlines to the grid, cuts them at every sector line and at the heights
 /// `cuts` (grid steps, ascending, inside the segment), and at each other.
 ///
 /// Guarantees: no two edges of a sector cross or overlap; every grid point that is an end of an
 /// edge lies at least one step from every other edge; a point on a sector line is known to both
 /// sectors. No edge moves by more than a few grid steps. The winding of each outline is preserved.
-/// Time n log n for strands of bounded crossing; throws GeometryError as described there.
+/// Time n log n for strands of bounded crossing; throws GeometryError (geometry_error.h).
 /// Precondition: one to most_sheets patterns of the grid's circumference and length.
 Arrangement arrange(std::span<const Pattern> sheets, const PlaneGrid& grid,
                     std::span<const std::int32_t> cuts = {});

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "geometry/solid/arrangement.h"
+#include "geometry/solid/geometry_error.h"
+#include "geometry/solid/lattice_drawing.h"
 #include "geometry/solid/region.h"
 #include "geometry/solid/tolerance_budget.h"
 

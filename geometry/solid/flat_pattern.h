@@ -7,9 +7,10 @@
 
 #include "design/design.h"
 #include "geometry/pattern/pattern.h"
-#include "geometry/solid/lattice_drawing.h"
 
 namespace latticast {
+
+class LatticeDrawing;
 
 /// A connected part of the pattern. Outlines are closed (the last point is joined to the first) and
 /// simple: no point occurs twice, no two edges cross or overlap. Those of one pattern have no point
@@ -42,7 +43,7 @@ struct FlatPattern {
 /// rings do not fit on the segment and that has no grid gives no piece.
 /// Time n log n in the outline's pieces, plus, where there is more than one piece, those of the
 /// pieces around a hole for every hole. Precondition: a validated segment with a lattice. Throws
-/// CannotDraw (pattern.h), and GeometryError (arrangement.h) also for strands thinner than 16
+/// CannotDraw, and GeometryError (geometry_error.h) also for strands thinner than 16
 /// steps.
 FlatPattern flat_pattern(LatticeDrawing& drawing, double tolerance_mm);
 

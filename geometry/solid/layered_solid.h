@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geometry/pattern/pattern.h"
-#include "geometry/solid/region.h"
+#include "geometry/solid/layers.h"
 #include "geometry/solid/tube_solids.h"
 
 namespace latticast {

@@ -2,35 +2,13 @@
 #include "geometry/solid/plane_mesh.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <utility>
 
 #include "geometry/mesh/disjoint_sets.h"
-#include "geometry/solid/exact_kernel.h"
+#include "geometry/solid/sector_triangles.h"
 
 namespace latticast {
 namespace {
-
-constexpr double safe_height_steps = 1;
-constexpr int most_flip_passes = 100;
-
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, ExactKernel>;
-using FaceBase = CGAL::Triangulation_face_base_with_info_2<
-    bool, ExactKernel, CGAL::Constrained_triangulation_face_base_2<ExactKernel>>;
-using Cells = CGAL::Constrained_Delaunay_triangulation_2<
-    ExactKernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>,
-    CGAL::No_constraint_intersection_tag>;
-
-// An edge of one sector by vertex number, and what of this sector is material beside it.
-struct SectorEdge {
-  std::uint32_t from = 0;
-  std::uint32_t to = 0;
-  Layers left = 0;
-  Layers right = 0;
-};
 
 // Numbers the vertices of a region and collects each sector's edges.
 class Builder {
@@ -85,8 +63,8 @@ class Builder {
     first_interior_ = static_cast<std::uint32_t>(mesh_.vertices.size());
     for (const GridPoint point : interior_) mesh_.vertices.push_back({sector, point});
 
-    const std::vector<SectorEdge> bounds = sector_edges(sector);
-    if (!bounds.empty()) triangulate_sector(sector, bounds);
+    std::vector<SectorEdge> bounds = sector_edges(sector);
+    if (!bounds.empty()) add_triangles(sector, std::move(bounds));
   }
 
   std::vector<SectorEdge> sector_edges(int sector) {
@@ -130,117 +108,38 @@ class Builder {
   }
 
   // A region vertex as seen from a sector: one on the next line lies at the sector's right side.
-  ExactKernel::Point_2 position(int sector, std::uint32_t vertex) const {
+  GridPoint position(int sector, std::uint32_t vertex) const {
     const PlaneMeshVertex& v = mesh_.vertices[vertex];
     const bool on_left =
         v.sector == sector && vertex < first_on_line_[sector] + lines_[sector].size();
-    if (on_left || vertex >= first_interior_) {
-      return {static_cast<double>(v.point.u), static_cast<double>(v.point.z)};
-    }
-    return {static_cast<double>(region_.grid.sector_steps), static_cast<double>(v.point.z)};
+    if (on_left || vertex >= first_interior_) return v.point;
+    return {region_.grid.sector_steps, v.point.z};
   }
 
-  void triangulate_sector(int sector, const std::vector<SectorEdge>& bounds) {
+  void add_triangles(int sector, std::vector<SectorEdge> bounds) {
     numbers_.clear();
     for (const SectorEdge& edge : bounds) numbers_.insert(numbers_.end(), {edge.from, edge.to});
     std::sort(numbers_.begin(), numbers_.end());
     numbers_.erase(std::unique(numbers_.begin(), numbers_.end()), numbers_.end());
 
-    std::vector<std::pair<ExactKernel::Point_2, std::uint32_t>> points;
+    std::vector<GridPoint> points;
     points.reserve(numbers_.size());
-    for (std::uint32_t i = 0; i < numbers_.size(); ++i) {
-      points.emplace_back(position(sector, numbers_[i]), i);
+    for (const std::uint32_t number : numbers_) points.push_back(position(sector, number));
+    for (SectorEdge& edge : bounds) {
+      edge.from = place_of(edge.from);
+      edge.to = place_of(edge.to);
     }
-    Cells cells;
-    cells.insert(points.begin(), points.end());
-    std::vector<Cells::Vertex_handle> handles(numbers_.size());
-    for (const auto vertex : cells.finite_vertex_handles()) handles[vertex->info()] = vertex;
-
-    const auto handle_of = [&](std::uint32_t vertex) {
-      return handles[std::lower_bound(numbers_.begin(), numbers_.end(), vertex) - numbers_.begin()];
-    };
-    for (const SectorEdge& edge : bounds) {
-      cells.insert_constraint(handle_of(edge.from), handle_of(edge.to));
-    }
-    raise_low_triangles(cells);
-    for (const auto face : cells.all_face_handles()) face->info() = false;
-    for (const SectorEdge& edge : bounds) {
-      if (edge.left != 0) fill_from(cells, handle_of(edge.from), handle_of(edge.to), edge.left);
-      if (edge.right != 0) fill_from(cells, handle_of(edge.to), handle_of(edge.from), edge.right);
+    for (const SectorTriangle& triangle : triangulate_sector(points, bounds)) {
+      const auto& [a, b, c] = triangle.corners;
+      mesh_.triangles.push_back({numbers_[a], numbers_[b], numbers_[c]});
+      mesh_.layers.push_back(triangle.layers);
     }
   }
 
-  // A vertex lies at least one step from every edge that is not its own, but may lie far closer to
-  // a Delaunay diagonal, closer even than float32 can tell: rounded, that triangle would turn over.
-  // Flipping the diagonal parts the two; each flip makes the lower of two triangles higher.
-  static void raise_low_triangles(Cells& cells) {
-    bool changed = true;
-    for (int pass = 0; changed && pass < most_flip_passes; ++pass) {
-      changed = false;
-      for (const auto& found : cells.finite_face_handles()) {
-        if (height(corner(found, 0), corner(found, 1), corner(found, 2)) >= safe_height_steps) {
-          continue;
-        }
-        for (int i = 0; i < 3; ++i) {
-          Cells::Face_handle face = found;
-          if (!flip_is_better(cells, face, i)) continue;
-          cells.flip(face, i);
-          changed = true;
-          break;
-        }
-      }
-    }
-  }
-
-  static GridPoint corner(Cells::Face_handle face, int i) {
-    const auto& p = face->vertex(i)->point();
-    return {static_cast<std::int32_t>(p.x()), static_cast<std::int32_t>(p.y())};
-  }
-
-  // Least distance of a corner from the line through the two others; not positive for a triangle
-  // that is not counter-clockwise.
-  static double height(GridPoint a, GridPoint b, GridPoint c) {
-    const auto length = [](GridPoint p, GridPoint q) {
-      return std::hypot(static_cast<double>(q.u) - p.u, static_cast<double>(q.z) - p.z);
-    };
-    return static_cast<double>(turn(a, b, c)) /
-           std::max({length(a, b), length(b, c), length(c, a)});
-  }
-
-  static bool flip_is_better(const Cells& cells, Cells::Face_handle face, int i) {
-    const Cells::Face_handle other = face->neighbor(i);
-    if (face->is_constrained(i) || cells.is_infinite(other)) return false;
-    const GridPoint apex = corner(face, i);
-    const GridPoint from = corner(face, Cells::ccw(i));
-    const GridPoint to = corner(face, Cells::cw(i));
-    const GridPoint opposite = corner(other, cells.mirror_index(face, i));
-    const double before = std::min(height(apex, from, to), height(opposite, to, from));
-    const double after = std::min(height(apex, from, opposite), height(opposite, to, apex));
-    return after > before;
-  }
-
-  // Adds the material that lies on the left of an edge and has not been reached yet.
-  void fill_from(Cells& cells, Cells::Vertex_handle from, Cells::Vertex_handle to, Layers layers) {
-    Cells::Face_handle face;
-    int side = 0;
-    // The face found lies on the edge's left: is_edge gives it with from = cw(side), so turned
-    // around.
-    cells.is_edge(to, from, face, side);
-    if (face->vertex(Cells::ccw(side)) != from) face = face->neighbor(side);
-    std::vector<Cells::Face_handle> pending{face};
-    while (!pending.empty()) {
-      face = pending.back();
-      pending.pop_back();
-      if (face->info()) continue;
-      face->info() = true;
-      mesh_.triangles.push_back({numbers_[face->vertex(0)->info()],
-                                 numbers_[face->vertex(1)->info()],
-                                 numbers_[face->vertex(2)->info()]});
-      mesh_.layers.push_back(layers);
-      for (int i = 0; i < 3; ++i) {
-        if (!face->is_constrained(i)) pending.push_back(face->neighbor(i));
-      }
-    }
+  // Where a vertex stands among the sector's.
+  std::uint32_t place_of(std::uint32_t number) const {
+    const auto at = std::lower_bound(numbers_.begin(), numbers_.end(), number);
+    return static_cast<std::uint32_t>(at - numbers_.begin());
   }
 
   const Region& region_;

@@ -8,6 +8,7 @@
 
 #include "geometry/mesh/disjoint_sets.h"
 #include "geometry/solid/arrangement.h"
+#include "geometry/solid/geometry_error.h"
 
 namespace latticast {
 namespace {

@@ -4,19 +4,15 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <vector>
 
 #include "geometry/pattern/pattern.h"
 #include "geometry/solid/arrangement.h"
+#include "geometry/solid/layers.h"
 #include "geometry/solid/plane_grid.h"
 
 namespace latticast {
-
-/// A set of layers, bit i for layer i. A relief is made of layers one above the other (relief.h);
-/// the union of a pattern's strands has a single one, layer 0.
-using Layers = std::uint32_t;
 
 /// An edge of the region inside one sector, a < b. Either its two sides differ (outline) or both
 /// are inside of the same layers (a cut line across the material).
@@ -51,28 +47,12 @@ struct LinePoint {
 
 /// Unites the strands. Where material touches itself in a single point only, the point is closed
 /// with a small diamond of half-width `closing_mm`, as a maker would want it and a mesh needs it.
-/// Throws GeometryError (see arrangement.h).
+/// Throws GeometryError (geometry_error.h).
 Region unite(Pattern pattern, const PlaneGrid& grid, std::span<const std::int32_t> cuts,
              double closing_mm);
 
-/// The set of one layer, or of one sheet, alone. Layers and sheets are named by enumerators.
-template <class Index>
-constexpr std::uint32_t only(Index index) {
-  return 1U << static_cast<unsigned>(index);
-}
-
-/// Does a set of layers or of sheets hold this one?
-template <class Index>
-constexpr bool has(std::uint32_t set, Index index) {
-  return (set & only(index)) != 0;
-}
-
-/// Which layers are material at a place, from the sheets that cover it there (bit s for sheet s).
-/// None where no sheet does: what lies beyond the ends is such a place.
-using Filling = std::function<Layers(unsigned sheets)>;
-
 /// The region that `filling` makes of the sheets, whose strands are united on each. Throws
-/// GeometryError (see arrangement.h) also where a layer's material touches itself in a point: the
+/// GeometryError (geometry_error.h) also where a layer's material touches itself in a point: the
 /// sheets' edges meet there, and one of them must be moved.
 Region layered_region(std::span<const Pattern> sheets, const PlaneGrid& grid,
                       std::span<const std::int32_t> cuts, const Filling& filling);

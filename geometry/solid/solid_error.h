@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include "geometry/mesh/triangle_mesh.h"
-#include "geometry/solid/region.h"
-
 namespace latticast {
+
+struct Region;
+struct TriangleMesh;
 
 /// Estimates from above. The true solid has round floors and ceilings, arcs in place of their
 /// chords, and walls that run straight towards the axis.

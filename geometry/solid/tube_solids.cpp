@@ -9,6 +9,8 @@
 
 #include "geometry/pattern/pattern.h"
 #include "geometry/solid/arrangement.h"
+#include "geometry/solid/geometry_error.h"
+#include "geometry/solid/lattice_drawing.h"
 #include "geometry/solid/region.h"
 #include "geometry/solid/relief.h"
 #include "geometry/solid/self_intersection.h"

@@ -5,10 +5,11 @@
 
 #include "design/design.h"
 #include "geometry/mesh/triangle_mesh.h"
-#include "geometry/solid/lattice_drawing.h"
 #include "geometry/solid/solid_error.h"
 
 namespace latticast {
+
+class LatticeDrawing;
 
 struct SolidOptions {
   double tolerance_mm = 0.01;   ///< largest chord error
@@ -33,7 +34,7 @@ struct Solid {
 
 /// The lattice layer R_m..R_o of a segment. Precondition: the segment has a lattice.
 /// Arcs and fillets stay within the tolerance of the true ones at every radius, chords and walls
-/// together. Throws GeometryError, CannotDraw (arrangement.h, pattern.h).
+/// together. Throws GeometryError, CannotDraw (geometry_error.h, cannot_draw.h).
 Solid lattice_solid(LatticeDrawing& drawing, const SolidOptions& options);
 
 /// Of a segment that is drawn for this solid alone.

@@ -8,8 +8,10 @@
 
 #include "design/material_library.h"
 #include "design/read_design.h"
+#include "geometry/pattern/cannot_draw.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/flat_pattern.h"
+#include "geometry/solid/geometry_error.h"
 #include "geometry/solid/tube_solids.h"
 #include "tests/property/random_design_text.h"
 #include "tests/unit/geometry/solid/flat_pattern_rules.h"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/mold_set.h"
+#include "app/plan.h"
 #include "design/material_library.h"
 #include "design/read_design.h"
 #include "export/mesh/glb_file.h"
@@ -12,6 +13,7 @@
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/tube_solids.h"
 #include "molds/print_size.h"
+#include "prepared/prepared_design.h"
 #include "tests/unit/export/mesh/compare_meshes.h"
 #include "tests/unit/export/test_folder.h"
 

@@ -15,6 +15,7 @@
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/audit.h"
 #include "geometry/solid/tube_solids.h"
+#include "prepared/prepared_responses.h"
 #include "report/preview.h"
 #include "tests/property/random_design_text.h"
 #include "tests/unit/export/test_folder.h"

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "app/products.h"
+#include "design/design.h"
 
 namespace latticast {
 namespace {

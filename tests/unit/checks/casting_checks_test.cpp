@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "molds/lattice_mold.h"
 #include "molds/mold_options.h"
 #include "molds/print_size.h"
 #include "tests/unit/checks/checked_designs.h"

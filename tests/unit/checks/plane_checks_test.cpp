@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/solid/lattice_drawing.h"
 #include "geometry/solid/tube_solids.h"
 #include "tests/unit/checks/checked_designs.h"
 

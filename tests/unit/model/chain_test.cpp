@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "model/segment_response.h"
+#include "model/shape/shape.h"
 #include "tests/unit/model/segments.h"
 
 namespace latticast::testing {

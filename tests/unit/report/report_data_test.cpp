@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "model/shape/shape.h"
+#include "prepared/prepared_responses.h"
 #include "tests/unit/report/report_examples.h"
 
 namespace latticast {

@@ -10,6 +10,10 @@
 #include <nlohmann/json.hpp>
 
 #include "checks/check_design.h"
+#include "checks/check_finding.h"
+#include "model/shape/shape.h"
+#include "prepared/prepared_design.h"
+#include "report/view_json.h"
 #include "tests/unit/report/report_examples.h"
 
 namespace latticast {

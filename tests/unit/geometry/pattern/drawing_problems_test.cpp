@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/pattern/cannot_draw.h"
 #include "geometry/pattern/horseshoe_path.h"
 #include "geometry/pattern/pattern.h"
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/solid/geometry_error.h"
 #include "geometry/solid/relief.h"
 #include "tests/unit/geometry/solid/random_patterns.h"
 #include "tests/unit/geometry/solid/square_patterns.h"

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "geometry/pattern/cannot_draw.h"
 #include "geometry/solid/fillet.h"
 #include "geometry/solid/plane_mesh.h"
 #include "tests/unit/geometry/solid/random_patterns.h"

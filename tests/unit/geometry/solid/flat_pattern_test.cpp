@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/solid/arrangement.h"
+#include "geometry/solid/geometry_error.h"
 #include "tests/unit/geometry/solid/example_segments.h"
 #include "tests/unit/geometry/solid/flat_pattern_rules.h"
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/mesh/weld.h"
+#include "geometry/pattern/cannot_draw.h"
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/audit.h"

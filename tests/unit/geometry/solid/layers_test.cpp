@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/solid/arrangement.h"
+#include "geometry/solid/geometry_error.h"
 #include "geometry/solid/region.h"
 #include "geometry/solid/relief.h"
 #include "tests/unit/geometry/solid/mesh_measures.h"

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/mesh/point_algebra.h"
+#include "model/shape/shape.h"
 #include "report/preview.h"
 #include "tests/unit/geometry/solid/example_segments.h"
 #include "tests/unit/geometry/solid/mesh_measures.h"

@@ -8,6 +8,7 @@
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/arrangement.h"
 #include "geometry/solid/audit.h"
+#include "geometry/solid/geometry_error.h"
 #include "tests/unit/geometry/solid/example_segments.h"
 #include "tests/unit/geometry/solid/mesh_measures.h"
 #include "tests/unit/geometry/solid/random_patterns.h"

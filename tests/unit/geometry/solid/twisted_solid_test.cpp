@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/solid/arrangement.h"
+#include "geometry/solid/geometry_error.h"
 #include "geometry/solid/tube_solids.h"
 #include "tests/unit/geometry/solid/example_segments.h"
 #include "tests/unit/geometry/solid/mesh_measures.h"
