@@ -59,7 +59,7 @@ void predict_all(const Segment& segment, const std::vector<double>& pressures_kp
 /// Wide strands on one half of the tube: the section bends, every strand counts on its own.
 void uneven_straight(int strands) {
   Segment segment = testing::paper_segment({});
-  const double share = 0.4 * 2 * testing::pi * 17 / strands;
+  const double share = 0.4 * 2 * pi * 17 / strands;
   segment.lattice->grids.push_back({90, testing::halves(strands, share, share / 2), {}});
   predict_all(segment, one_pressure);
 }

@@ -259,7 +259,7 @@ SectionReference section_reference(const Balance& balance, const BranchPoint& x)
           static_cast<double>(gradient[free[i]] * scale[free[i]] / balance.energy_unit());
     }
     const BalanceAt by = balance.at(reference.x).value();
-    const Eigen::Map<const Eigen::MatrixXd> stiffness(by.stiffness.data(), n, n);
+    const Eigen::Map<const Eigen::MatrixXd> stiffness(by.tangent_stiffness.data(), n, n);
     const Eigen::VectorXd change = stiffness.partialPivLu().solve(imbalance);
     const double size = change.cwiseAbs().maxCoeff();
     if (!(size < 0.5 * reference.last_step)) break;
