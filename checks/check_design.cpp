@@ -4,9 +4,10 @@
 #include <iterator>
 #include <utility>
 
+#include "design/design.h"
+#include "prepared/prepared_design.h"
 #if LATTICAST_HAS_GEOMETRY
 #include "checks/print_checks.h"
-#include "prepared/prepared_design.h"
 #endif
 #if LATTICAST_HAS_MOLDS
 #include "checks/casting_checks.h"
