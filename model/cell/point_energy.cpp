@@ -174,37 +174,45 @@ std::optional<PointEnergy> in_principal_axes(const Law& law, const Tensor& f) {
   return result;
 }
 
+// Where the minor of an entry stands, a11 a22 - a12 a21: rows and columns follow the entry's own in
+// cyclic order, so that it needs no sign.
+struct Minor {
+  std::size_t a11, a12, a21, a22;
+};
+
+template <class Visit>
+void for_each_minor(const Visit& visit) {
+  const auto next = [](std::size_t i) { return (i + 1) % 3; };
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t i1 = next(i);
+    const std::size_t i2 = next(i1);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const std::size_t j1 = next(j);
+      const std::size_t j2 = next(j1);
+      visit(at(i, j), Minor{at(i1, j1), at(i1, j2), at(i2, j1), at(i2, j2)});
+    }
+  }
+}
+
 }  // namespace
 
 VolumeRatio volume_ratio(const Tensor& f) {
   VolumeRatio result;
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::size_t i1 = (i + 1) % 3;
-      const std::size_t i2 = (i + 2) % 3;
-      const std::size_t j1 = (j + 1) % 3;
-      const std::size_t j2 = (j + 2) % 3;
-      result.cofactor[at(i, j)] = f[at(i1, j1)] * f[at(i2, j2)] - f[at(i1, j2)] * f[at(i2, j1)];
-    }
-  }
+  for_each_minor([&](std::size_t entry, const Minor& m) {
+    result.cofactor[entry] = f[m.a11] * f[m.a22] - f[m.a12] * f[m.a21];
+  });
   result.value = f[0] * result.cofactor[0] + f[1] * result.cofactor[1] + f[2] * result.cofactor[2];
   return result;
 }
 
 void add_volume_curvature(const Tensor& f, double factor, TensorPair& tangent) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::size_t i1 = (i + 1) % 3;
-      const std::size_t i2 = (i + 2) % 3;
-      const std::size_t j1 = (j + 1) % 3;
-      const std::size_t j2 = (j + 2) % 3;
-      const std::size_t row = 9 * at(i, j);
-      tangent[row + at(i1, j1)] += factor * f[at(i2, j2)];
-      tangent[row + at(i2, j2)] += factor * f[at(i1, j1)];
-      tangent[row + at(i1, j2)] -= factor * f[at(i2, j1)];
-      tangent[row + at(i2, j1)] -= factor * f[at(i1, j2)];
-    }
-  }
+  for_each_minor([&](std::size_t entry, const Minor& m) {
+    const std::size_t row = 9 * entry;
+    tangent[row + m.a11] += factor * f[m.a22];
+    tangent[row + m.a22] += factor * f[m.a11];
+    tangent[row + m.a12] -= factor * f[m.a21];
+    tangent[row + m.a21] -= factor * f[m.a12];
+  });
 }
 
 std::optional<PointEnergy> isochoric_energy(const Law& law, const Tensor& f) {
