@@ -29,7 +29,7 @@ void check_counted_rings(const Rings& rings, double length_mm, const Field& fiel
 
 void check_pitched_rings(const Rings& rings, double length_mm, const Field& field) {
   const double pitch = *rings.pitch_mm;
-  const double first_far_edge = 0.5 * (pitch + rings.width_mm);
+  const double first_far_edge = rings.first_centre_mm() + 0.5 * rings.width_mm;
   if (rings.width_mm >= pitch) {
     field.refuse(fmt::format("must be more than the rings' width, {} mm, so that they do not touch",
                              rings.width_mm),
@@ -39,7 +39,11 @@ void check_pitched_rings(const Rings& rings, double length_mm, const Field& fiel
         fmt::format("at least one ring must lie on the segment, but the first would end at "
                     "{} mm of {} mm",
                     first_far_edge, length_mm),
-        "the first ring's centre is at half a pitch: use a smaller pitch");
+        rings.phase == Rings::usual_phase
+            ? "the first ring's centre is at half a pitch: use a smaller pitch"
+            : fmt::format("the first ring's centre is at {:.6g} mm: use a smaller pitch or another "
+                          "phase",
+                          rings.first_centre_mm()));
   } else if (length_mm / pitch > limits::strands_or_rings) {
     field.refuse(fmt::format("must not give more than {} rings; this one gives {:.6g}",
                              limits::strands_or_rings, length_mm / pitch),

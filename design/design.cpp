@@ -5,6 +5,13 @@
 
 namespace latticast {
 
+double Rings::first_centre_mm() const {
+  // A ring that ends on the segment's start up to rounding is on the segment.
+  const double least = 0.5 * width_mm * (1 - 1e-12);
+  const double centre = phase * *pitch_mm;
+  return centre < least ? centre + *pitch_mm : centre;
+}
+
 // Measured from the axis: an angle and its mirror image differ in sign alone there.
 StrandDirection Grid::direction() const {
   const double from_axis = radians(90 - angle_deg);

@@ -24,11 +24,19 @@ struct Liner {
 };
 
 /// Circumferential rings. Exactly one of `count` (>= 2, evenly spaced, first and last flush with
-/// the ends) and `pitch_mm` (centres at pitch/2 + i pitch) is set.
+/// the ends) and `pitch_mm` (centres at (phase + i) pitch, those rings that lie wholly on the
+/// segment) is set.
 struct Rings {
+  static constexpr double usual_phase = 0.5;
+
   std::optional<int> count;
   std::optional<double> pitch_mm;
   double width_mm = 0;
+  double phase = usual_phase;  ///< of rings by pitch, 0 <= phase < 1
+
+  /// Of the first ring by pitch that does not reach past the segment's start. Precondition: rings
+  /// by pitch.
+  double first_centre_mm() const;
 };
 
 /// Unit vector along a straight line of the unrolled plane: u runs around the tube, z along it.

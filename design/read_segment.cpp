@@ -41,11 +41,17 @@ Liner read_liner(TableReader table, const MaterialLibrary& library, ColumnModel 
 Rings read_rings(TableReader table, double segment_length_mm) {
   const Field count = table.may("count");
   const Field pitch = table.may("pitch");
+  const Field phase = table.may("phase");
   Rings rings;
   rings.count = count.whole(2, limits::strands_or_rings);
   rings.pitch_mm = pitch.optional_number(limits::length);
+  rings.phase = phase.number_or(rings.phase, limits::ring_phase);
   rings.width_mm = table.need("width", "width = 2").number(limits::length);
   table.refuse_unknown_keys();
+  if (count.present() && !pitch.present()) {
+    phase.refuse("is for rings given by pitch; rings given by count are flush with both ends",
+                 "leave phase out, or write a pitch in place of count");
+  }
   if (count.present() == pitch.present()) {
     const Field& blamed = count.present() ? pitch : table.table();
     blamed.refuse("exactly one of count and pitch must be given",

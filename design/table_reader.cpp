@@ -27,9 +27,18 @@ std::string unit_of(const Range& range) {
 }
 
 std::string rule_of(const Range& range) {
-  const char* form = range.ends_excluded ? "must be a number between {} and {}{}, neither included"
-                                         : "must be a number from {} to {}{}";
-  return fmt::format(fmt::runtime(form), range.low, range.high, unit_of(range));
+  const std::string unit = unit_of(range);
+  switch (range.ends) {
+    case RangeEnds::both:
+      break;
+    case RangeEnds::low:
+      return fmt::format("must be a number from {0} to {1}{2}, {1} not included", range.low,
+                         range.high, unit);
+    case RangeEnds::neither:
+      return fmt::format("must be a number between {} and {}{}, neither included", range.low,
+                         range.high, unit);
+  }
+  return fmt::format("must be a number from {} to {}{}", range.low, range.high, unit);
 }
 
 std::string in_its_unit(const Range& range) {

@@ -62,6 +62,7 @@ Json lattice_json(const Lattice& lattice) {
     json["rings"] = {{"count", or_null(lattice.rings->count)},
                      {"pitch_mm", or_null(lattice.rings->pitch_mm)},
                      {"width_mm", lattice.rings->width_mm}};
+    if (lattice.rings->phase != Rings::usual_phase) json["rings"]["phase"] = lattice.rings->phase;
   }
   for (const Grid& grid : lattice.grids) json["grids"].push_back(grid_json(grid));
   return json;

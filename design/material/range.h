@@ -4,16 +4,19 @@
 
 namespace latticast {
 
-/// The numbers from `low` to `high`; with `ends_excluded`, neither of the two. Not a number is
-/// outside.
+/// Which of its ends belong to a range.
+enum class RangeEnds { both, low, neither };
+
+/// The numbers from `low` to `high`. Not a number is outside.
 struct Range {
   double low = 0;
   double high = 0;
   const char* unit = "";  ///< empty: a pure number
-  bool ends_excluded = false;
+  RangeEnds ends = RangeEnds::both;
 
   bool contains(double x) const {
-    return ends_excluded ? x > low && x < high : x >= low && x <= high;
+    const bool above = ends == RangeEnds::neither ? x > low : x >= low;
+    return above && (ends == RangeEnds::both ? x <= high : x < high);
   }
 };
 

@@ -12,7 +12,7 @@ double ring_pitch_mm(const Rings& rings, double segment_length_mm) {
 
 std::vector<double> ring_centres_mm(const Rings& rings, double segment_length_mm) {
   const double pitch = ring_pitch_mm(rings, segment_length_mm);
-  const double first = rings.pitch_mm ? 0.5 * pitch : 0.5 * rings.width_mm;
+  const double first = rings.pitch_mm ? rings.first_centre_mm() : 0.5 * rings.width_mm;
   // A ring that ends on the segment's end up to rounding is on the segment.
   const double last = segment_length_mm * (1 + 1e-12) - 0.5 * rings.width_mm;
   const double room = std::floor((last - first) / pitch);

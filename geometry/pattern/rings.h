@@ -13,8 +13,8 @@ namespace latticast {
 double ring_pitch_mm(const Rings& rings, double segment_length_mm);
 
 /// Ring centres in ascending z, mm from the segment's start. Rings given by count are flush with
-/// both ends; rings given by pitch have centres at p/2 + i p, and only rings that lie wholly on the
-/// segment exist (none, when the segment is shorter than the first ring's far edge).
+/// both ends; rings given by pitch have centres at (phase + i) p, and only rings that lie wholly on
+/// the segment exist (none, when the segment is shorter than the first one's far edge).
 std::vector<double> ring_centres_mm(const Rings& rings, double segment_length_mm);
 
 }  // namespace latticast

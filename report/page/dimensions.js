@@ -56,7 +56,8 @@ function rings_text(rings) {
   const place = is_number(rings.count)
     ? counted(rings.count, "ring")
     : `every ${with_unit(rings.pitch_mm, "mm", given)}`;
-  return `${place}, ${with_unit(rings.width_mm, "mm", given)} wide`;
+  const phase = is_number(rings.phase) ? `, phase ${given(rings.phase)}` : "";
+  return `${place}${phase}, ${with_unit(rings.width_mm, "mm", given)} wide`;
 }
 
 /** @param {number[]|null} size_mm @returns {string} */

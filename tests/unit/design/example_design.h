@@ -52,6 +52,7 @@ length = 60.5
     [segment.lattice.rings]
     pitch = 10
     width = 1
+    phase = 0.25
 
     [[segment.lattice.grid]]
     angle = 90

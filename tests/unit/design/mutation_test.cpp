@@ -52,7 +52,8 @@ void expect_rules_of(const Rings& rings, double length_mm) {
   }
   if (rings.pitch_mm) {
     EXPECT_GT(*rings.pitch_mm, rings.width_mm);
-    EXPECT_LE((*rings.pitch_mm + rings.width_mm) / 2, length_mm);
+    EXPECT_TRUE(rings.phase >= 0 && rings.phase < 1);
+    EXPECT_LE(rings.first_centre_mm() + rings.width_mm / 2, length_mm);
     EXPECT_LE(length_mm / *rings.pitch_mm, 10000);
   }
 }

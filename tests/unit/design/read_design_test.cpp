@@ -60,6 +60,7 @@ TEST(ReadDesign, SecondAndThirdSegmentOfTheWholeGrammar) {
   EXPECT_EQ(std::get<Linear>(second.lattice->material.law).youngs_modulus_mpa, 30);
   EXPECT_EQ(std::get<Linear>(second.lattice->material.law).poisson_ratio, 0.4);
   EXPECT_EQ(second.lattice->rings->pitch_mm, 10);
+  EXPECT_EQ(second.lattice->rings->phase, 0.25);
   EXPECT_FALSE(second.lattice->rings->count);
   ASSERT_EQ(second.lattice->grids.size(), 2U);
   const auto& stated = std::get<Horseshoe>(second.lattice->grids[0].path);

@@ -115,6 +115,19 @@ TEST(ReportJson, HoldsTheDesignAndItsResponse) {
   }
 }
 
+TEST(ReportJson, NamesTheRingsPhaseWhereItIsNotTheUsualOne) {
+  Design design = example("elongation/elongation.toml");
+  design.load.clear();
+  const auto rings_of = [&] {
+    const json read = json::parse(report_json(report_of(design), false));
+    return read["design"]["segments"][0]["lattice"]["rings"];
+  };
+  design.segments[0].lattice->rings = Rings{std::nullopt, 10.0, 2};
+  EXPECT_FALSE(rings_of().contains("phase"));
+  design.segments[0].lattice->rings->phase = 0.25;
+  EXPECT_EQ(rings_of()["phase"], 0.25);
+}
+
 TEST(ReportJson, IsTheSameInEveryRun) {
   const Design design = example("bending/bending.toml");
   EXPECT_EQ(report_json(report_of(design), false), report_json(report_of(design), false));

@@ -55,6 +55,33 @@ TEST(Rings, NoneWhenTheFirstDoesNotFit) {
   EXPECT_TRUE(ring_centres_mm(pitched(1000, 2), 5).empty());
 }
 
+Rings at_phase(double phase, double pitch_mm, double width_mm) {
+  return {std::nullopt, pitch_mm, width_mm, phase};
+}
+
+TEST(Rings, AtAPhaseStartThatPartOfAPitchIn) {
+  EXPECT_EQ(ring_centres_mm(at_phase(0.25, 10, 2), 45),
+            (std::vector<double>{2.5, 12.5, 22.5, 32.5, 42.5}));
+  EXPECT_EQ(ring_centres_mm(at_phase(0.5, 10, 2), 45), (std::vector<double>{5, 15, 25, 35}));
+  EXPECT_EQ(ring_centres_mm(at_phase(0.9, 10, 2), 45), (std::vector<double>{9, 19, 29, 39}));
+}
+
+TEST(Rings, AtAPhaseThatAnEndCutsAreLeftOut) {
+  EXPECT_EQ(ring_centres_mm(at_phase(0, 10, 2), 40), (std::vector<double>{10, 20, 30}));
+  EXPECT_EQ(ring_centres_mm(at_phase(0.25, 10, 2), 43),
+            (std::vector<double>{2.5, 12.5, 22.5, 32.5}));
+  EXPECT_EQ(ring_centres_mm(at_phase(0.09, 10, 2), 25), (std::vector<double>{10.9, 20.9}));
+  // Flush with the start up to rounding: 0.14 * 0.1 is more than half of 0.028, or less.
+  EXPECT_EQ(ring_centres_mm(at_phase(0.14, 0.1, 0.028), 0.66).size(), 7U);
+  EXPECT_EQ(ring_centres_mm(at_phase(0.14 - 1e-9, 0.1, 0.028), 0.66).size(), 6U);
+}
+
+TEST(Rings, AtAPhaseMayNotFitAShortSegment) {
+  EXPECT_EQ(ring_centres_mm(at_phase(0.9, 10, 2), 10), (std::vector<double>{9}));
+  EXPECT_TRUE(ring_centres_mm(at_phase(0.9, 10, 2), 9.999).empty());
+  EXPECT_TRUE(ring_centres_mm(at_phase(0, 10, 2), 10.9).empty());
+}
+
 TEST(Rings, OfRandomSizesStayOnTheSegmentAndApart) {
   constexpr unsigned seed = 20240611;
   std::mt19937_64 random(seed);
