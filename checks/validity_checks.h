@@ -7,7 +7,7 @@
 
 namespace latticast {
 
-/// Adds the findings angle-out-of-range, modulus-band.
+/// Adds the findings angle-out-of-range, rings-in-step, modulus-band.
 void check_validity(const LoadedSegment& loaded, CheckFindings& findings);
 
 }  // namespace latticast

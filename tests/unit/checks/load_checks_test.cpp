@@ -224,6 +224,52 @@ TEST(LoadChecks, NameAGentRubberNearItsLimit) {
   EXPECT_EQ(find(check(segment, {60}), "liner-law-exceeded"), nullptr);
 }
 
+/// Columns with a wave of 10.625 mm.
+Segment ringed_columns(double pitch_mm, double phase) {
+  Segment segment = columns(std::vector<double>(16, 2.0));
+  segment.lattice->rings = Rings{std::nullopt, pitch_mm, 2, phase};
+  return segment;
+}
+
+TEST(LoadChecks, NameThePlaceOfRingsInStepWithTheWaves) {
+  constexpr double wave = 10.625;
+  struct Place {
+    double pitch_in_waves;
+    double phase;
+    const char* text;
+  };
+  for (const Place& place :
+       {Place{1, 0.5, "first at 0.00 of a wave and the last at 0.00"},
+        Place{1, 0.25, "first at 0.25 of a wave and the last at 0.25"},
+        Place{0.5, 0.5, "first at 0.25 of a wave"}, Place{2, 0.45, "first at 0.40 of a wave"},
+        Place{1.01, 0.25, "first at 0.25 of a wave and the last at 0.32"}}) {
+    SCOPED_TRACE(place.text);
+    const CheckFindings findings =
+        check(ringed_columns(place.pitch_in_waves * wave, place.phase), {20});
+    const CheckFinding* finding = find(findings, "rings-in-step");
+    ASSERT_NE(finding, nullptr);
+    EXPECT_EQ(finding->part, "grid 0");
+    EXPECT_NE(finding->message.find(place.text), std::string::npos) << finding->message;
+  }
+  EXPECT_EQ(find(check(ringed_columns(1.25 * wave, 0.5), {20}), "rings-in-step"), nullptr);
+  EXPECT_EQ(find(check(ringed_columns(0.24 * wave, 0.5), {20}), "rings-in-step"), nullptr);
+  Segment drifting = ringed_columns(1.019 * wave, 0.5);
+  drifting.length_mm *= 2;
+  EXPECT_EQ(find(check(drifting, {20}), "rings-in-step"), nullptr);
+}
+
+TEST(LoadChecks, SayHowRingsGetOutOfStep) {
+  const CheckFindings findings = check(ringed_columns(10.625, 0.5), {20});
+  const CheckFinding* finding = find(findings, "rings-in-step");
+  ASSERT_NE(finding, nullptr);
+  EXPECT_EQ(finding->remedy,
+            "rings.pitch = 11.95 spreads them over the waves; rings.pitch = 10.625, phase = 0.25 "
+            "puts them on the bulges");
+  EXPECT_EQ(find(check(ringed_columns(11.95, 0.5), {20}), "rings-in-step"), nullptr);
+  const CheckFindings on_bulges = check(ringed_columns(10.625, 0.25), {20});
+  EXPECT_NE(find(on_bulges, "rings-in-step")->message.find("first at 0.25"), std::string::npos);
+}
+
 TEST(LoadChecks, CarryTheBandToNoEquilibrium) {
   Segment bare = tube(12, 16, NeoHookean{0.08});
   bare.liner.material.modulus_low_factor = 0.5;
