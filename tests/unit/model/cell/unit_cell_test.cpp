@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <ostream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -145,6 +146,20 @@ TEST(CondensedCell, OfAThickMooneyCylinderInPlaneStrain) {
   }
 }
 
+TEST(CondensedCell, OfAThickMooneyCylinderTendsToItsLimitPressure) {
+  // In plane strain the pressure rises with the bore, for ever, to 2 (C10 + C01) ln(18.625/7).
+  CondensedCell cell(bare_tube(7, 18.625, Mooney{80, 20}, thick_wall(), 1e4), exactly);
+  double largest = 0;
+  for (double growth = 1; growth < 70; growth *= 1.6) {
+    const auto energy = cell.at({.inner_growth = growth});
+    ASSERT_TRUE(energy) << growth;
+    const double pressure = energy->gradient[coordinate::inner_growth] / (2 * pi * (7 + growth));
+    EXPECT_GT(pressure, largest) << growth;
+    largest = pressure;
+  }
+  EXPECT_NEAR(largest, 195.7, 0.003 * 195.7);
+}
+
 TEST(CondensedCell, OfAHalfIsThatOfTheWhole) {
   StripDivision whole = small_division;
   whole.whole = true;
@@ -188,6 +203,7 @@ TEST(UnitCell, AgreesWithAFinerMesh) {
     const std::vector<CellRow> rows = finite_element_rows(angle);
     ASSERT_EQ(rows.size(), 6U);
     std::vector<double> pressures;
+    pressures.reserve(rows.size());
     for (const CellRow& row : rows) pressures.push_back(row.pressure_kpa);
     const Response response = predict(twisting(angle), unit_cell(), pressures);
     ASSERT_EQ(response.status, Status::ok);
@@ -198,6 +214,44 @@ TEST(UnitCell, AgreesWithAFinerMesh) {
       EXPECT_TRUE(state.stable);
     }
   }
+}
+
+/// What pressure did along the states number 0, step, 2 step ..., by the trapezoidal rule, N.
+double work_along(const std::vector<std::optional<State>>& states, std::size_t step) {
+  const auto cavity = [](const State& state) {
+    return pi * state.inner_radius_mm * state.inner_radius_mm * state.stretch;
+  };
+  double work = 0;
+  for (std::size_t i = step; i < states.size(); i += step) {
+    const State& from = *states[i - step];
+    const State& to = *states[i];
+    work += 0.5e-3 * (from.pressure_kpa + to.pressure_kpa) * (cavity(to) - cavity(from));
+  }
+  return work;
+}
+
+TEST(UnitCell, StoresTheWorkOfPressure) {
+  constexpr int steps = 16;
+  std::vector<double> pressures;
+  for (int i = 0; i <= steps; ++i) pressures.push_back(60.0 * i / steps);
+  const Segment segment = twisting(36);
+  const Response response = predict(segment, unit_cell(), pressures);
+  ASSERT_EQ(response.status, Status::ok);
+  const UnitCell cell = make_unit_cell(segment);
+  UnitCellEnergy energy(cell);
+  double stored = 0;
+  for (const auto& state : response.states) {
+    const auto here = energy.at({.elongation = state->stretch - 1,
+                                 .twist = state->twist_rad_per_mm,
+                                 .inner_growth = state->inner_radius_mm - 12});
+    ASSERT_TRUE(here) << state->pressure_kpa;
+    stored = here->value;
+  }
+  // The rule's error is of second order in the steps, so that what is left of it is of the fourth.
+  const double coarse = work_along(response.states, 2);
+  const double fine = work_along(response.states, 1);
+  EXPECT_NEAR((coarse - stored) / (fine - stored), 4, 0.2);
+  EXPECT_NEAR((4 * fine - coarse) / 3, stored, 1e-4 * stored);
 }
 
 TEST(UnitCell, OfTheMirroredDesignTwistsTheOtherWay) {
@@ -227,6 +281,40 @@ TEST(UnitCell, EndsNearItsLimitPoint) {
   // The section without a cell says 108.8 kPa.
   EXPECT_NEAR(response.critical_points[0].pressure_kpa, 80, 2);
 }
+
+/// Strips on a liner of hardly any thickness, without rings.
+struct ThinTube {
+  double angle_deg = 90;
+  double stiffness = 1;  ///< of the strips, E over the liner's mu
+};
+
+std::ostream& operator<<(std::ostream& out, const ThinTube& tube) {
+  return out << tube.angle_deg << " degrees, E/mu " << tube.stiffness;
+}
+
+class UnderSuction : public ::testing::TestWithParam<ThinTube> {};
+
+TEST_P(UnderSuction, HoldsWellOrSaysWhyNot) {
+  Segment segment = paper_segment({GetParam().angle_deg});
+  segment.liner.thickness_mm = 0.2;
+  segment.lattice->rings.reset();
+  segment.lattice->material.law = Linear{GetParam().stiffness * 0.08, 0.49};
+  const Response response = predict(segment, unit_cell(), std::vector<double>{-40});
+  if (!response.states[0]) {
+    EXPECT_NE(response.status, Status::ok);
+    EXPECT_FALSE(response.message.empty());
+    return;
+  }
+  const State& state = *response.states[0];
+  EXPECT_TRUE(state.stable);
+  EXPECT_TRUE(std::isfinite(state.stretch + state.twist_rad_per_mm + state.inner_radius_mm));
+  EXPECT_LT(state.error_estimate, 0.1);
+}
+
+// Not 20 degrees with 1e6: there the coarse mesh is more than twice as stiff as the fine one, so
+// that the energy extrapolated from both has no minimum, not even at rest.
+INSTANTIATE_TEST_SUITE_P(UnitCell, UnderSuction,
+                         ::testing::Values(ThinTube{90, 1}, ThinTube{90, 1e6}, ThinTube{20, 1}));
 
 TEST(UnitCell, RefusesWhatItCannotMesh) {
   const auto refusal = [](const Segment& segment) {
