@@ -37,7 +37,7 @@ void add_messages(const Response& response, std::size_t segment, const Console& 
 
 // Measured against a three-dimensional calculation: docs/model.md#what-it-leaves-out.
 void note_known_bias(const Design& design, const Console& console) {
-  if (design.model.wall == WallKind::unit_cell) return;
+  if (design.model.wall == WallKind::unit_cell || design.model.wall == WallKind::bonded) return;
   const bool reinforced =
       std::any_of(design.segments.begin(), design.segments.end(),
                   [](const Segment& segment) { return segment.lattice.has_value(); });

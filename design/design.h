@@ -92,13 +92,18 @@ struct LoadCase {
   std::vector<double> pressures_kpa;
 };
 
-/// A wall in layers or smeared, or the drawn lattice itself in a unit cell.
-enum class WallKind { layered, mixture, unit_cell };
+/// A wall in layers, its lattice a net of lines or plates bonded to the liner; a smeared wall; or
+/// the drawn lattice itself in a unit cell.
+enum class WallKind { layered, bonded, mixture, unit_cell };
+/// What of a bonded wall is set by a unit cell: nothing; its stiffness at rest; one state under
+/// pressure as well.
+enum class Calibrate { nothing, stiffness, state };
 enum class ColumnModel { distributed, rods };
 enum class JointModel { none, paper, clear_span };
 
 struct ModelChoice {
   WallKind wall = WallKind::layered;
+  Calibrate calibrate = Calibrate::stiffness;  ///< only where wall is bonded
   ColumnModel columns = ColumnModel::distributed;
   JointModel joint = JointModel::clear_span;
 };

@@ -190,8 +190,23 @@ std::vector<LoadCase> read_load(const Field& field, std::size_t segments) {
   return cases;
 }
 
+namespace {
+
+Calibrate read_calibrate(const Field& field, WallKind wall) {
+  constexpr Word<Calibrate> words[] = {{"state", Calibrate::state}};
+  if (field.present() && wall != WallKind::bonded) {
+    field.refuse("calibrate is for kind = \"bonded\", whose stiffness a unit cell sets",
+                 "leave it out, or use kind = \"bonded\"");
+  }
+  if (field.is_text()) return field.word_or(Calibrate::state, words);
+  return field.flag_or(true) ? Calibrate::stiffness : Calibrate::nothing;
+}
+
+}  // namespace
+
 ModelChoice read_model(const Field& field) {
   constexpr Word<WallKind> kinds[] = {{"layered", WallKind::layered},
+                                      {"bonded", WallKind::bonded},
                                       {"mixture", WallKind::mixture},
                                       {"unit-cell", WallKind::unit_cell}};
   constexpr Word<ColumnModel> columns[] = {{"distributed", ColumnModel::distributed},
@@ -202,7 +217,14 @@ ModelChoice read_model(const Field& field) {
   TableReader table = field.as_table("start with a line [model]");
   ModelChoice model;
   model.wall = table.may("kind").word_or(model.wall, kinds);
-  model.columns = table.may("columns").word_or(model.columns, columns);
+  model.calibrate = read_calibrate(table.may("calibrate"), model.wall);
+  const Field columns_field = table.may("columns");
+  model.columns = columns_field.word_or(model.columns, columns);
+  if (model.columns == ColumnModel::rods &&
+      (model.wall == WallKind::bonded || model.wall == WallKind::unit_cell)) {
+    columns_field.refuse("two rods stand for the columns of a wall in layers only",
+                         "use kind = \"layered\", or columns = \"distributed\"");
+  }
   model.joint = table.may("joint").word_or(model.joint, joints);
   table.refuse_unknown_keys();
   return model;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <variant>
 
 #include "design/design.h"
@@ -19,8 +20,11 @@ struct UnitCell;
 struct PreparedSegment {
   double length_mm = 0;
   std::variant<Section, Rods> section;
-  /// Whose energy takes the place of the section's; empty unless the model is a unit cell.
+  /// Of a unit cell, whose energy takes the place of the section's, or of a bonded section that was
+  /// calibrated by it; else empty.
   std::shared_ptr<const UnitCell> cell;
+  Calibrate calibrate = Calibrate::nothing;  ///< what of the section the cell has set, or will
+  std::string not_calibrated;                ///< why it has set nothing although it was asked to
 };
 
 /// Prepares a segment under the chosen column model, reusing `known` laws where they fit. Throws

@@ -20,6 +20,8 @@ const char* wall_name(WallKind wall) {
   switch (wall) {
     case WallKind::layered:
       return "layered";
+    case WallKind::bonded:
+      return "bonded";
     case WallKind::mixture:
       return "mixture";
     case WallKind::unit_cell:

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "design/unsupported_design.h"
 #include "geometry/pattern/rings.h"
 #include "model/cell/strip_cell.h"
 
@@ -16,12 +15,15 @@ constexpr StripDivision fine_division = {
     .strip = 1, .gap = 3, .ring = 1, .span = 2, .liner = 3, .lattice = 1, .grading = 1.6};
 
 // The fine mesh's error over the difference of both, docs/unit-cell.md#extrapolation.
-constexpr double extrapolation = 1;
+constexpr double extrapolation = 0.75;
 constexpr double doubtful_share = 0.25;
 
+struct NoCell {
+  std::string reason;
+};
+
 [[noreturn]] void refuse(const std::string& reason) {
-  throw UnsupportedDesign("the unit cell " + reason +
-                          "; kind = \"layered\" predicts this segment without one");
+  throw NoCell{"the unit cell " + reason};
 }
 
 const Grid& only_family(const Lattice& lattice) {
@@ -69,9 +71,15 @@ StripTube strip_tube(const Segment& segment) {
 
 }  // namespace
 
-UnitCell make_unit_cell(const Segment& segment) {
-  const StripTube tube = strip_tube(segment);
-  return {strip_cell(tube, coarse_division), strip_cell(tube, fine_division)};
+FoundCell find_unit_cell(const Segment& segment) {
+  try {
+    const StripTube tube = strip_tube(segment);
+    return {std::make_shared<const UnitCell>(
+                UnitCell{strip_cell(tube, coarse_division), strip_cell(tube, fine_division)}),
+            {}};
+  } catch (const NoCell& none) {
+    return {nullptr, none.reason};
+  }
 }
 
 UnitCellEnergy::UnitCellEnergy(const UnitCell& cell) : coarse_(cell.coarse), fine_(cell.fine) {}

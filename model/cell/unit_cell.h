@@ -3,7 +3,9 @@
 // its energy is extrapolated from both meshes (docs/unit-cell.md).
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
 
 #include "design/design.h"
 #include "model/cell/cell_mesh.h"
@@ -17,9 +19,15 @@ struct UnitCell {
   CellMesh fine;
 };
 
-/// Throws UnsupportedDesign where the segment has no cell that can be meshed yet: one even family
-/// of straight strips that leave gaps, with or without evenly pitched rings, has.
-UnitCell make_unit_cell(const Segment& segment);
+/// A segment's cell, or why there is none.
+struct FoundCell {
+  std::shared_ptr<const UnitCell> cell;
+  std::string reason;  ///< "the unit cell knows straight strands, these are curved"
+};
+
+/// One even family of straight strips that leave gaps, with or without evenly pitched rings, has a
+/// cell.
+FoundCell find_unit_cell(const Segment& segment);
 
 /// A cell's stored energy as a function of the section's coordinates; it follows them, so one
 /// object belongs to one path of states.

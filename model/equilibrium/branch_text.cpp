@@ -28,4 +28,8 @@ std::string extremum_text(const AngleExtremum& point, double length_mm) {
   return text;
 }
 
+void add_sentence(std::string& message, const std::string& sentence) {
+  message += message.empty() ? sentence : "; " + sentence;
+}
+
 }  // namespace latticast

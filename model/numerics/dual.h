@@ -103,6 +103,26 @@ constexpr Dual<N> chain(const Dual<N>& x, const Dual<N>& y, const TwoVariableJet
   return result;
 }
 
+/// f(x), given `f` with its derivatives by the numbers of x.
+template <std::size_t N, std::size_t M>
+constexpr Dual<N> chain(const std::array<Dual<N>, M>& x, const Dual<M>& f) {
+  Dual<N> result(f.value);
+  for (std::size_t m = 0; m < M; ++m) {
+    for (std::size_t i = 0; i < N; ++i) result.gradient[i] += f.gradient[m] * x[m].gradient[i];
+    for (std::size_t p = 0; p < Dual<N>::pairs; ++p) {
+      result.hessian[p] += f.gradient[m] * x[m].hessian[p];
+    }
+    for (std::size_t l = 0; l < M; ++l) {
+      std::size_t pair = 0;
+      for (std::size_t i = 0; i < N; ++i) {
+        const double bent = f.second(m, l) * x[m].gradient[i];
+        for (std::size_t j = i; j < N; ++j, ++pair) result.hessian[pair] += bent * x[l].gradient[j];
+      }
+    }
+  }
+  return result;
+}
+
 template <std::size_t N>
 constexpr Dual<N> operator+(Dual<N> x, const Dual<N>& y) {
   return x += y;

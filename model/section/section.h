@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "design/design.h"
@@ -18,6 +19,7 @@ struct StrandPlace {
   double sine = 0;
   double stretch_modulus_mpa = 0;        ///< E times the fraction of the layer that it fills
   double joint_modulus_mpa = 0;          ///< fraction times k_t / V, [Wang] (4)
+  double pad_mm = 0;                     ///< share of its family's pad, docs/bonded.md#pads
   std::shared_ptr<const StrandLaw> law;  ///< of a curved strand's link; empty: straight
 };
 
@@ -27,11 +29,20 @@ struct StrandFamily {
   double sine = 1;
   double stretch_modulus_mpa = 0;  ///< summed over the strands
   double joint_modulus_mpa = 0;    ///< summed over the strands
+  double pad_mm = 0;               ///< summed over the strands
   double links_per_mm = 0;  ///< links of a curved strand per mm of tube, 1/(chord sine); else 0
   bool averaged = false;    ///< averaged around the tube: turns against the section's frame, counts
                             ///< no strips (mixture), or has so many equal strands that their sum
                             ///< over places is that average
   std::vector<StrandPlace> strands;
+};
+
+struct Calibration;
+
+/// What bonding of the lattice to the liner adds, docs/bonded.md.
+struct Bond {
+  double ring_share = 0;   ///< of the length, f
+  double ring_pad_mm = 0;  ///< thickness of liner that takes the rings' strain with them
 };
 
 /// A segment's cross-section as the model sees it, prepared once.
@@ -49,6 +60,8 @@ struct Section {
   double shear_modulus_mpa = 0;    ///< of the liner at rest
   double ring_modulus_mpa = 0;     ///< E times the fraction of the layer that the rings fill
   std::vector<StrandFamily> families;
+  std::optional<Bond> bond;  ///< empty: strands and rings are lines that lie on the liner
+  std::shared_ptr<const Calibration> calibration;  ///< empty: uncorrected
 
   /// The section is the same at every Z in a frame that turns by this, against the material and
   /// per mm of reference length: cot(alpha)/R_c of the family that is uneven around the tube.

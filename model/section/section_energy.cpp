@@ -6,6 +6,9 @@
 #include <limits>
 
 #include "design/units.h"
+#include "model/section/bonded_lattice.h"
+#include "model/section/calibration.h"
+#include "model/section/strand_stretch.h"
 
 namespace latticast {
 namespace {
@@ -28,12 +31,6 @@ struct Kinematics {
     return (inner - outside * axial_ratio) * (1 / (radius * radius));
   }
 };
-
-template <class Number>
-Number stretch_minus_1(const Number& square_minus_1) {
-  using std::sqrt;
-  return square_minus_1 / (sqrt(square_minus_1 + 1.0) + 1.0);
-}
 
 /// What is the same all around the tube at one reference radius. A straight tube is written apart
 /// by `bent`: it is by far the most frequent, and needs half of the work.
@@ -119,15 +116,13 @@ Number liner_energy(const Section& section, const Quadrature& quadrature,
   return sum;
 }
 
-/// |F A|^2 - 1 of a strand of this family where Lambda - 1 is `elongation`. With A = (c, s) around
-/// and along the tube, F A = (r/R) (c + k R s) e_theta + Lambda s e_z.
+/// Of a strand of this family where Lambda - 1 is `elongation`.
 template <bool bent, class Number>
-Number square_stretch_minus_1(const StrandFamily& family, const Kinematics<Number>& q,
-                              const AtRadius<bent, Number>& at, const Number& axial) {
-  const double c = family.cosine;
-  const double s = family.sine;
-  const Number shear = q.twist * (at.radius * s);
-  return at.hoop * square(shear + c) + shear * (shear + 2 * c) + axial * (s * s);
+StrandStretch<Number> strand_stretch(const StrandFamily& family, const Kinematics<Number>& q,
+                                     const AtRadius<bent, Number>& at, const Number& elongation,
+                                     const Number& axial) {
+  const Number shear = q.twist * (at.radius * family.sine);
+  return {family.cosine, family.sine, at.hoop, at.hoop_strain, shear, elongation, axial};
 }
 
 /// E/2 (s - 1)^2 + k/2 theta_t^2 of straight strands with the given moduli.
@@ -136,17 +131,9 @@ Number strand_energy_density(const StrandFamily& family, double stretch_modulus,
                              double joint_modulus, const Kinematics<Number>& q,
                              const AtRadius<bent, Number>& at, const Number& elongation,
                              const Number& axial) {
-  const Number strain = stretch_minus_1(square_stretch_minus_1(family, q, at, axial));
-  Number energy = square(strain) * (0.5 * stretch_modulus);
-  if (joint_modulus > 0) {
-    const double c = family.cosine;
-    const double s = family.sine;
-    const Number shear = q.twist * (at.radius * s);
-    const Number hoop_stretch = at.hoop_strain + 1.0;
-    const Number cross = ((elongation - at.hoop_strain) * c - hoop_stretch * shear) * s;
-    const Number dot = hoop_stretch * (shear + c) * c + (elongation + 1.0) * (s * s);
-    energy += square(atan2(cross, dot)) * (0.5 * joint_modulus);
-  }
+  const StrandStretch<Number> strand = strand_stretch<bent>(family, q, at, elongation, axial);
+  Number energy = square(strand.strain()) * (0.5 * stretch_modulus);
+  if (joint_modulus > 0) energy += square(strand.turn()) * (0.5 * joint_modulus);
   return energy;
 }
 
@@ -160,7 +147,7 @@ std::size_t place_count(const StrandFamily& family, const Quadrature& quadrature
 }
 
 struct StraightStrand {
-  double cosine, sine, stretch_modulus_mpa, joint_modulus_mpa;
+  double cosine, sine, stretch_modulus_mpa, joint_modulus_mpa, pad_mm;
 };
 
 StraightStrand straight_strand(const StrandFamily& family, const Quadrature& quadrature,
@@ -168,10 +155,11 @@ StraightStrand straight_strand(const StrandFamily& family, const Quadrature& qua
   if (is_averaged(family, quadrature)) {
     const Direction& d = quadrature.around[place];
     return {d.cosine, d.sine, family.stretch_modulus_mpa * d.weight,
-            family.joint_modulus_mpa * d.weight};
+            family.joint_modulus_mpa * d.weight, family.pad_mm * d.weight};
   }
   const StrandPlace& strand = family.strands[place];
-  return {strand.cosine, strand.sine, strand.stretch_modulus_mpa, strand.joint_modulus_mpa};
+  return {strand.cosine, strand.sine, strand.stretch_modulus_mpa, strand.joint_modulus_mpa,
+          strand.pad_mm};
 }
 
 template <bool bent, class Number>
@@ -203,6 +191,86 @@ Number lattice_energy(const Section& section, const Quadrature& quadrature,
       density += family_energy_density(family, quadrature, q, at);
     }
     sum += density * weight;
+  }
+  return sum;
+}
+
+/// An energy of the wall's strains, `energy_at` evaluated in plain numbers and chained.
+template <bool bent, class Number, class Energy>
+Number of_wall(const Kinematics<Number>& q, const AtRadius<bent, Number>& at,
+               const Number& elongation, const Energy& energy_at) {
+  const WallEnergy energy =
+      energy_at({at.radius, at.hoop_strain.value, elongation.value, q.twist.value});
+  return chain(std::array<Number, 3>{at.hoop_strain, elongation, q.twist}, energy);
+}
+
+/// Sum over a family's straight strands of an energy of the wall's strains and the strand.
+template <bool bent, class Number, class Energy>
+Number of_strands(const StrandFamily& family, const Quadrature& quadrature,
+                  const Kinematics<Number>& q, const AtRadius<bent, Number>& at,
+                  const Energy& energy_at) {
+  if constexpr (!bent) {
+    const StraightStrand all{1, 0, family.stretch_modulus_mpa, family.joint_modulus_mpa,
+                             family.pad_mm};
+    return of_wall(q, at, q.elongation,
+                   [&](const WallStrains& wall) { return energy_at(all, wall); });
+  }
+  Number sum(0);
+  for (std::size_t i = 0; i < place_count(family, quadrature); ++i) {
+    const StraightStrand strand = straight_strand(family, quadrature, i);
+    sum += of_wall(q, at, at.elongation(q, strand.cosine, strand.sine),
+                   [&](const WallStrains& wall) { return energy_at(strand, wall); });
+  }
+  return sum;
+}
+
+/// Sum over directions of the pad that rings hold.
+template <bool bent, class Number>
+Number ring_pad(const Bond& bond, const Quadrature& quadrature, const Kinematics<Number>& q,
+                const AtRadius<bent, Number>& at) {
+  const auto pad = [&](const WallStrains& wall) { return ring_pad_energy(bond.ring_pad_mm, wall); };
+  if constexpr (!bent) return of_wall(q, at, q.elongation, pad);
+  Number sum(0);
+  for (const Direction& direction : quadrature.around) {
+    sum +=
+        of_wall(q, at, at.elongation(q, direction.cosine, direction.sine), pad) * direction.weight;
+  }
+  return sum;
+}
+
+/// The same lattice as plates that are bonded to the liner.
+template <bool bent, class Number>
+Number bonded_energy(const Section& section, const Bond& bond, const Quadrature& quadrature,
+                     const Kinematics<Number>& q) {
+  Number sum(0);
+  for (const auto& [radius, weight] : quadrature.lattice) {
+    const AtRadius<bent, Number> at(q, radius);
+    Number density = square(at.hoop_strain) * (0.5 * section.ring_modulus_mpa);
+    for (const StrandFamily& family : section.families) {
+      if (family.links_per_mm > 0) continue;
+      density += of_strands(
+          family, quadrature, q, at, [&](const StraightStrand& strand, const WallStrains& wall) {
+            return bonded_strand_energy(family, strand.stretch_modulus_mpa,
+                                        strand.joint_modulus_mpa, bond.ring_share, wall);
+          });
+    }
+    sum += density * weight;
+  }
+  const AtRadius<bent, Number> face(q, section.liner_outer_radius_mm);
+  Number pads = ring_pad(bond, quadrature, q, face);
+  for (const StrandFamily& family : section.families) {
+    if (family.links_per_mm > 0) continue;
+    pads += of_strands(family, quadrature, q, face,
+                       [&](const StraightStrand& strand, const WallStrains& wall) {
+                         return strip_pad_energy(family, strand.pad_mm, wall);
+                       });
+  }
+  sum += pads * (2 * pi * section.liner_outer_radius_mm * section.shear_modulus_mpa);
+  if (section.calibration) {
+    const AtRadius<bent, Number> middle(q, section.calibration->radius_mm);
+    sum += of_wall(q, middle, q.elongation, [&](const WallStrains& wall) {
+      return calibration_energy(*section.calibration, wall);
+    });
   }
   return sum;
 }
@@ -249,7 +317,7 @@ std::optional<Number> link_energy(const Section& section, const Quadrature& quad
     const AtRadius<bent, Number> at(q, mid_radius_mm(section));
     for_each_place<bent>(family, quadrature, [&](const StrandLaw& law, const Direction& place) {
       const Number e = at.elongation(q, place.cosine, place.sine);
-      const Number strain = stretch_minus_1(square_stretch_minus_1(family, q, at, e * (e + 2.0)));
+      const Number strain = strand_stretch<bent>(family, q, at, e, e * (e + 2.0)).strain();
       const auto arc = law.at(strain.value);
       if (!arc) {
         possible = false;
@@ -302,8 +370,9 @@ template <bool bent, std::size_t N>
   const auto q = kinematics(section, variables);
   const auto links = link_energy<bent>(section, quadrature, q);
   if (!links) return std::nullopt;
-  const Dual<N> sum = liner_energy<bent>(section, quadrature, q) +
-                      lattice_energy<bent>(section, quadrature, q) + *links;
+  const Dual<N> lattice = section.bond ? bonded_energy<bent>(section, *section.bond, quadrature, q)
+                                       : lattice_energy<bent>(section, quadrature, q);
+  const Dual<N> sum = liner_energy<bent>(section, quadrature, q) + lattice + *links;
   SectionEnergy energy(sum.value);
   for (std::size_t i = 0; i < N; ++i) {
     energy.gradient[active[i]] = sum.gradient[i];
@@ -354,8 +423,7 @@ std::array<double, coordinate_count> law_error(const Section& section, const Qua
     const AtRadius<true, SectionEnergy> ring(q, mid_radius_mm(section));
     for_each_place<true>(family, quadrature, [&](const StrandLaw& law, const Direction& place) {
       const SectionEnergy e = ring.elongation(q, place.cosine, place.sine);
-      const SectionEnergy strain =
-          stretch_minus_1(square_stretch_minus_1(family, q, ring, e * (e + 2.0)));
+      const SectionEnergy strain = strand_stretch<true>(family, q, ring, e, e * (e + 2.0)).strain();
       const LinkState arc = law.at(strain.value).value_or(LinkState{});
       const double work = std::abs(arc.force_n) * arc.error * law.rest_chord_mm();
       for (int i = 0; i < coordinate_count; ++i) {

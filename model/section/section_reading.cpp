@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "geometry/pattern/rings.h"
+#include "model/section/bonded_lattice.h"
 #include "model/section/section_symmetry.h"
 #include "model/strand/links.h"
 
@@ -62,6 +63,18 @@ void refuse_in_mixture(const Grid& grid, std::size_t index) {
   }
 }
 
+void add_pad(const Segment& segment, const Grid& grid, double width_mm, StrandPlace& strand) {
+  const double period = segment.lattice_circumference_mm() * grid.direction().sine / grid.count();
+  strand.pad_mm =
+      pad_thickness_mm(period, width_mm / period, segment.liner.thickness_mm) / grid.count();
+}
+
+Bond bond_of_rings(const Segment& segment, const RingLayout& rings) {
+  if (rings.pitch_mm == 0) return {};
+  const double share = rings.width_mm / rings.pitch_mm;
+  return {share, pad_thickness_mm(rings.pitch_mm, share, segment.liner.thickness_mm)};
+}
+
 struct Layer {
   const Segment& segment;
   const ModelChoice& model;
@@ -69,11 +82,19 @@ struct Layer {
   LawsByShape laws;
 };
 
+void refuse_in_bonded(const Grid& grid, std::size_t index) {
+  if (!is_curved(grid.path)) return;
+  throw UnsupportedDesign(grid_name(index) + " has " + std::string(describe(grid.path).name) +
+                          " strands, and kind = \"bonded\" knows straight ones only; use kind = "
+                          "\"layered\"");
+}
+
 StrandFamily strand_family(const Layer& layer, std::size_t index) {
   const Segment& segment = layer.segment;
   const Grid& grid = segment.lattice->grids[index];
   const bool layered = layer.model.wall != WallKind::mixture;
   if (!layered) refuse_in_mixture(grid, index);
+  if (layer.model.wall == WallKind::bonded) refuse_in_bonded(grid, index);
   const double modulus = strand_modulus_mpa(*segment.lattice);
   // Exactly mirrored for mirrored angles: a symmetric lattice is symmetric to the last bit, and
   // does not twist.
@@ -93,8 +114,17 @@ StrandFamily strand_family(const Layer& layer, std::size_t index) {
       const double fraction = layered ? width / around : mixture_lattice / grid.count();
       filled += fraction;
       strand.stretch_modulus_mpa = fraction * modulus;
-      strand.joint_modulus_mpa =
-          fraction * joint_modulus(modulus, width, family.sine, layer.rings, layer.model.joint);
+      if (layer.model.wall == WallKind::bonded) {
+        const auto& material = std::get<Linear>(segment.lattice->material.law);
+        strand.joint_modulus_mpa =
+            fraction * clear_shear_joint_mpa(material, width, family.sine, layer.rings.pitch_mm,
+                                             layer.rings.width_mm);
+        add_pad(segment, grid, width, strand);
+        family.pad_mm += strand.pad_mm;
+      } else {
+        strand.joint_modulus_mpa =
+            fraction * joint_modulus(modulus, width, family.sine, layer.rings, layer.model.joint);
+      }
       family.stretch_modulus_mpa += strand.stretch_modulus_mpa;
       family.joint_modulus_mpa += strand.joint_modulus_mpa;
     }
@@ -117,7 +147,11 @@ void add_lattice(const Segment& segment, const ModelChoice& model, const StrandL
   section.anisotropic_from_mm = mixture ? section.inner_radius_mm : section.liner_outer_radius_mm;
   section.anisotropic_to_mm = section.outer_radius_mm;
   const RingLayout rings = ring_layout(segment);
-  const double share = mixture && rings.pitch_mm > 0 ? mixture_lattice : rings.fraction;
+  double share = mixture && rings.pitch_mm > 0 ? mixture_lattice : rings.fraction;
+  if (model.wall == WallKind::bonded) {
+    section.bond = bond_of_rings(segment, rings);
+    share = section.bond->ring_share;
+  }
   section.ring_modulus_mpa = share * strand_modulus_mpa(*segment.lattice);
   const Layer layer{segment, model, rings, mixture ? LawsByShape{} : build_laws(segment, known)};
   for (std::size_t i = 0; i < segment.lattice->grids.size(); ++i) {

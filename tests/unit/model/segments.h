@@ -42,6 +42,15 @@ inline Segment paper_segment(std::initializer_list<double> angles_deg) {
   return segment;
 }
 
+/// The same with one family and a ring each 10 mm, the tube of docs/unit-cell.md#accuracy.
+inline Segment twisting_segment(double angle_deg) {
+  Segment segment = paper_segment({angle_deg});
+  segment.length_mm = 80;  // eight whole periods
+  segment.lattice->material.law = Linear{19.46, 0.49};
+  segment.lattice->rings = Rings{std::nullopt, 10.0, 2};
+  return segment;
+}
+
 /// `count` widths, thick ones first on half of the tube.
 inline std::vector<double> halves(int count, double thick, double thin) {
   std::vector<double> widths(count, thin);

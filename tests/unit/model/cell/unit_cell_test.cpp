@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <ostream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "design/unsupported_design.h"
 #include "model/section/section_reading.h"
 #include "model/segment_response.h"
 #include "numerics/root_search.h"
+#include "tests/golden/fe_cell_twist.h"
 #include "tests/unit/model/cell/cell_meshes.h"
 #include "tests/unit/model/segments.h"
 
@@ -26,14 +24,6 @@ ModelChoice unit_cell() {
   ModelChoice model;
   model.wall = WallKind::unit_cell;
   return model;
-}
-
-/// The twisting tube of docs/unit-cell.md#accuracy.
-Segment twisting(double angle_deg) {
-  Segment segment = paper_segment({angle_deg});
-  segment.lattice->material.law = Linear{19.46, 0.49};
-  segment.lattice->rings = Rings{std::nullopt, 10.0, 2};
-  return segment;
 }
 
 constexpr std::array coordinates = {&Deformation::elongation, &Deformation::twist,
@@ -177,27 +167,6 @@ TEST(CondensedCell, OfAHalfIsThatOfTheWhole) {
   }
 }
 
-struct CellRow {
-  double pressure_kpa = 0;
-  double stretch = 1;
-  double twist_rad_per_mm = 0;
-};
-
-/// tests/golden/fe_cell_twist.csv at one angle: a mesh of 19 838 unknowns.
-std::vector<CellRow> finite_element_rows(double angle_deg) {
-  std::ifstream file(LATTICAST_SOURCE_DIR "/tests/golden/fe_cell_twist.csv");
-  std::vector<CellRow> rows;
-  std::string line;
-  std::getline(file, line);
-  while (std::getline(file, line)) {
-    std::istringstream fields(line);
-    std::vector<double> numbers;
-    for (std::string field; std::getline(fields, field, ',');) numbers.push_back(std::stod(field));
-    if (numbers.at(0) == angle_deg) rows.push_back({numbers.at(4), numbers.at(5), numbers.at(6)});
-  }
-  return rows;
-}
-
 TEST(UnitCell, AgreesWithAFinerMesh) {
   for (const double angle : {36.0, 60.0}) {
     const std::vector<CellRow> rows = finite_element_rows(angle);
@@ -205,7 +174,7 @@ TEST(UnitCell, AgreesWithAFinerMesh) {
     std::vector<double> pressures;
     pressures.reserve(rows.size());
     for (const CellRow& row : rows) pressures.push_back(row.pressure_kpa);
-    const Response response = predict(twisting(angle), unit_cell(), pressures);
+    const Response response = predict(twisting_segment(angle), unit_cell(), pressures);
     ASSERT_EQ(response.status, Status::ok);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const State& state = *response.states[i];
@@ -234,11 +203,10 @@ TEST(UnitCell, StoresTheWorkOfPressure) {
   constexpr int steps = 16;
   std::vector<double> pressures;
   for (int i = 0; i <= steps; ++i) pressures.push_back(60.0 * i / steps);
-  const Segment segment = twisting(36);
+  const Segment segment = twisting_segment(36);
   const Response response = predict(segment, unit_cell(), pressures);
   ASSERT_EQ(response.status, Status::ok);
-  const UnitCell cell = make_unit_cell(segment);
-  UnitCellEnergy energy(cell);
+  UnitCellEnergy energy(*find_unit_cell(segment).cell);
   double stored = 0;
   for (const auto& state : response.states) {
     const auto here = energy.at({.elongation = state->stretch - 1,
@@ -256,8 +224,8 @@ TEST(UnitCell, StoresTheWorkOfPressure) {
 
 TEST(UnitCell, OfTheMirroredDesignTwistsTheOtherWay) {
   const std::vector<double> pressures = {20};
-  const Response right = predict(twisting(36), unit_cell(), pressures);
-  const Response left = predict(twisting(144), unit_cell(), pressures);
+  const Response right = predict(twisting_segment(36), unit_cell(), pressures);
+  const Response left = predict(twisting_segment(144), unit_cell(), pressures);
   ASSERT_TRUE(right.states[0] && left.states[0]);
   EXPECT_NEAR(left.states[0]->stretch, right.states[0]->stretch, 1e-9);
   EXPECT_NEAR(left.states[0]->twist_rad_per_mm, -right.states[0]->twist_rad_per_mm, 1e-10);
@@ -265,7 +233,7 @@ TEST(UnitCell, OfTheMirroredDesignTwistsTheOtherWay) {
 
 TEST(UnitCell, HoldsCoordinatesAndGivesTheirReactions) {
   const Response blocked =
-      predict(twisting(36), unit_cell(), std::vector<double>{20}, Held{.twist = true});
+      predict(twisting_segment(36), unit_cell(), std::vector<double>{20}, Held{.twist = true});
   ASSERT_TRUE(blocked.states[0]);
   EXPECT_EQ(blocked.states[0]->twist_rad_per_mm, 0);
   EXPECT_GT(std::abs(blocked.states[0]->torque_nmm), 50);
@@ -273,7 +241,7 @@ TEST(UnitCell, HoldsCoordinatesAndGivesTheirReactions) {
 }
 
 TEST(UnitCell, EndsNearItsLimitPoint) {
-  const Response response = predict(twisting(36), unit_cell(), std::vector<double>{60, 95});
+  const Response response = predict(twisting_segment(36), unit_cell(), std::vector<double>{60, 95});
   ASSERT_TRUE(response.states[0]);
   EXPECT_FALSE(response.states[1]);
   ASSERT_EQ(response.critical_points.size(), 1U);
@@ -317,24 +285,17 @@ INSTANTIATE_TEST_SUITE_P(UnitCell, UnderSuction,
                          ::testing::Values(ThinTube{90, 1}, ThinTube{90, 1e6}, ThinTube{20, 1}));
 
 TEST(UnitCell, RefusesWhatItCannotMesh) {
-  const auto refusal = [](const Segment& segment) {
-    try {
-      make_unit_cell(segment);
-    } catch (const UnsupportedDesign& reason) {
-      return std::string(reason.what());
-    }
-    return std::string();
-  };
+  const auto refusal = [](const Segment& segment) { return find_unit_cell(segment).reason; };
   EXPECT_NE(refusal(tube(12, 16, NeoHookean{0.08})).find("there is none"), std::string::npos);
   EXPECT_NE(refusal(paper_segment({36, 144})).find("one family"), std::string::npos);
   EXPECT_NE(refusal(columns(std::vector<double>(16, 2.0))).find("curved"), std::string::npos);
-  Segment uneven = twisting(36);
+  Segment uneven = twisting_segment(36);
   uneven.lattice->grids[0].widths_mm[3] = 2.5;
   EXPECT_NE(refusal(uneven).find("equal width"), std::string::npos);
-  Segment closed = twisting(36);
+  Segment closed = twisting_segment(36);
   closed.lattice->grids[0].widths_mm.assign(8, 9.0);
   EXPECT_NE(refusal(closed).find("gap between strips"), std::string::npos);
-  EXPECT_EQ(refusal(twisting(36)), "");
+  EXPECT_EQ(refusal(twisting_segment(36)), "");
 }
 
 }  // namespace
