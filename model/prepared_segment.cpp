@@ -12,25 +12,21 @@
 namespace latticast {
 namespace {
 
-void take_cell(const Segment& segment, PreparedSegment& prepared) {
+std::shared_ptr<const UnitCell> needed_cell(const Segment& segment) {
   FoundCell found = find_unit_cell(segment);
-  if (!found.cell) {
-    throw UnsupportedDesign(found.reason +
-                            "; kind = \"layered\" predicts this segment without one");
-  }
-  prepared.cell = std::move(found.cell);
+  if (found.cell) return found.cell;
+  throw UnsupportedDesign(found.reason + "; kind = \"layered\" predicts this segment without one");
 }
 
 /// Empty, or why the section stays as it is.
-std::string calibrate(const FoundCell& found, Section& section) {
-  if (!found.cell) return found.reason;
+std::string calibrate(const UnitCell& cell, Section& section) {
   const StrandFamily& family = section.families.front();
   if (std::abs(family.sine) < std::sin(least_calibrated_angle_rad)) {
     return "its strands are too flat for their strains to be told apart";
   }
-  const auto at_rest = UnitCellEnergy(*found.cell).at({});
+  const auto at_rest = UnitCellEnergy(cell).at({});
   if (!at_rest) return "the unit cell could not be solved at rest";
-  const auto calibration = calibrated_at_rest(section, *at_rest);
+  const auto calibration = calibrated_at_rest(section, at_rest->energy);
   if (!calibration) return "the unit cell's mesh makes the lattice's stiffness negative";
   section.calibration = std::make_shared<const Calibration>(*calibration);
   return {};
@@ -39,7 +35,8 @@ std::string calibrate(const FoundCell& found, Section& section) {
 void calibrate(const Segment& segment, Calibrate what, PreparedSegment& prepared) {
   if (what == Calibrate::nothing) return;
   FoundCell found = find_unit_cell(segment);
-  prepared.not_calibrated = calibrate(found, std::get<Section>(prepared.section));
+  prepared.not_calibrated =
+      found.cell ? calibrate(*found.cell, std::get<Section>(prepared.section)) : found.reason;
   if (!prepared.not_calibrated.empty()) return;
   prepared.cell = std::move(found.cell);
   prepared.calibrate = what;
@@ -55,8 +52,10 @@ PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model
     prepared.section = prepare_rods(segment, known);
     return prepared;
   }
+  if (model.wall == WallKind::unit_cell) prepared.cell = needed_cell(segment);
   prepared.section = prepare_section(segment, model, known);
-  if (model.wall == WallKind::unit_cell) take_cell(segment, prepared);
+  // Where the cell has calibrated the section, the section tells nearly where its next state is.
+  if (prepared.cell) calibrate(*prepared.cell, std::get<Section>(prepared.section));
   if (model.wall == WallKind::bonded) calibrate(segment, model.calibrate, prepared);
   return prepared;
 }

@@ -125,8 +125,11 @@ std::vector<std::size_t> requests_of_sign(std::span<const double> pressures_kpa,
 
 EnergySource source_of(const std::shared_ptr<UnitCellEnergy>& energy) {
   if (!energy) return {};
-  return {.at = [energy](const Deformation& at) { return energy->at(at); },
-          .finer = [energy](const Deformation& at) { return energy->nearer_to_mesh(at); }};
+  return [energy](const Deformation& at) -> std::optional<SourceEnergy> {
+    const auto found = energy->at(at);
+    if (!found) return std::nullopt;
+    return SourceEnergy{found->energy, found->doubt};
+  };
 }
 
 class ResponseSolver {

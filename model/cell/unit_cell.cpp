@@ -84,8 +84,7 @@ FoundCell find_unit_cell(const Segment& segment) {
 
 UnitCellEnergy::UnitCellEnergy(const UnitCell& cell) : coarse_(cell.coarse), fine_(cell.fine) {}
 
-std::optional<SectionEnergy> UnitCellEnergy::combined(const Deformation& deformation,
-                                                      double share) {
+std::optional<ExtrapolatedEnergy> UnitCellEnergy::at(const Deformation& deformation) {
   const auto fine = fine_.at(deformation);
   if (!fine) return std::nullopt;
   buckled_ = !fine_.is_minimum();
@@ -93,18 +92,11 @@ std::optional<SectionEnergy> UnitCellEnergy::combined(const Deformation& deforma
   if (!coarse || buckled_) return std::nullopt;
   SectionEnergy change = *fine;
   change -= *coarse;
-  change *= share * extrapolation;
-  SectionEnergy result = *fine;
-  result += change;
+  change *= extrapolation;
+  ExtrapolatedEnergy result{*fine, change};
+  result.energy += change;
+  result.doubt *= -doubtful_share;
   return result;
-}
-
-std::optional<SectionEnergy> UnitCellEnergy::at(const Deformation& deformation) {
-  return combined(deformation, 1);
-}
-
-std::optional<SectionEnergy> UnitCellEnergy::nearer_to_mesh(const Deformation& deformation) {
-  return combined(deformation, 1 - doubtful_share);
 }
 
 }  // namespace latticast

@@ -29,26 +29,26 @@ struct FoundCell {
 /// cell.
 FoundCell find_unit_cell(const Segment& segment);
 
+/// Extrapolated to elements of no size, and a quarter of what that changed: what errors are
+/// measured by.
+struct ExtrapolatedEnergy {
+  SectionEnergy energy;
+  SectionEnergy doubt;
+};
+
 /// A cell's stored energy as a function of the section's coordinates; it follows them, so one
 /// object belongs to one path of states.
 class UnitCellEnergy {
  public:
   explicit UnitCellEnergy(const UnitCell& cell);
 
-  /// Extrapolated to elements of no size: their error being proportional to the elements' size
-  /// where strips and rings leave sharp edges. Empty where a mesh cannot be followed.
-  std::optional<SectionEnergy> at(const Deformation& deformation);
+  /// Empty where a mesh cannot be followed.
+  std::optional<ExtrapolatedEnergy> at(const Deformation& deformation);
 
   /// Whether the wall buckled within the cell where at() was empty.
   bool buckled() const { return buckled_; }
 
-  /// By a quarter of what extrapolation changed nearer to the fine mesh: what errors are measured
-  /// with.
-  std::optional<SectionEnergy> nearer_to_mesh(const Deformation& deformation);
-
  private:
-  std::optional<SectionEnergy> combined(const Deformation& deformation, double share);
-
   CondensedCell coarse_;
   CondensedCell fine_;
   bool buckled_ = false;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "model/numerics/small_matrix.h"
@@ -30,6 +31,26 @@ int points_for(double from, double to) {
   const double rho = pole + std::sqrt(pole * pole - 1);
   const int points = static_cast<int>(std::ceil(0.5 * std::log(1e12) / std::log(rho)));
   return std::clamp(points, 3, most_points / 2);
+}
+
+std::array<double, coordinate_count> coordinates(const Deformation& q) {
+  return {q.elongation, q.twist, q.inner_growth, q.bend_1, q.bend_2};
+}
+
+/// A function that is known to second order about one deformation, at another.
+SectionEnergy moved(const SectionEnergy& function, const Deformation& from, const Deformation& to) {
+  const auto start = coordinates(from);
+  const auto end = coordinates(to);
+  SectionEnergy result = function;
+  for (std::size_t i = 0; i < coordinate_count; ++i) {
+    double slope = 0;
+    for (std::size_t j = 0; j < coordinate_count; ++j) {
+      slope += function.second(i, j) * (end[j] - start[j]);
+    }
+    result.gradient[i] += slope;
+    result.value += (function.gradient[i] + 0.5 * slope) * (end[i] - start[i]);
+  }
+  return result;
 }
 
 double largest_difference(const BalanceAt::Vector& a, const BalanceAt::Vector& b) {
@@ -68,7 +89,7 @@ Balance::Balance(const Section& section, Held held, const SolverOptions& options
                              (section.isotropic_to_mm + section.isotropic_from_mm);
   energy_ = section.shear_modulus_mpa * rubber_area;
 
-  points_fixed_ = options.fixed_quadrature > 0 || source_.at;
+  points_fixed_ = options.fixed_quadrature > 0 || has_source();
   if (options.fixed_quadrature > 0) {
     const int points = options.fixed_quadrature;
     set_points(points, points, std::max(points, 4));
@@ -78,6 +99,7 @@ Balance::Balance(const Section& section, Held held, const SolverOptions& options
   }
 
   const int n = free_count();
+  if (!anchor_at(BranchPoint{})) throw std::runtime_error("a segment cannot be solved at rest");
   BalanceAt rest = *at(BranchPoint{});
   const std::span<double> speed = std::span(rest.load_vector).first(n);
   solve_in_place(std::span(rest.tangent_stiffness).first(entry_count(n)), speed);
@@ -85,13 +107,43 @@ Balance::Balance(const Section& section, Held held, const SolverOptions& options
 }
 
 std::optional<BalanceAt> Balance::at(std::span<const double> x) const {
-  if (source_.at) return balanced(x, source_.at(deformation(x)));
+  if (has_source()) return balanced(x, corrected_energy(deformation(x)));
   return evaluate(x, quadrature_);
 }
 
 std::optional<BalanceAt> Balance::finer_at(std::span<const double> x) const {
-  if (source_.finer) return balanced(x, source_.finer(deformation(x)));
-  return evaluate(x, finer_);
+  if (!has_source()) return evaluate(x, finer_);
+  const Deformation q = deformation(x);
+  auto energy = corrected_energy(q);
+  if (energy) *energy += moved(doubt_, anchor_, q);
+  return balanced(x, energy);
+}
+
+std::optional<SectionEnergy> Balance::corrected_energy(const Deformation& q) const {
+  auto energy = stored_energy(section_, quadrature_, q, active_);
+  if (energy) *energy += moved(missing_, anchor_, q);
+  return energy;
+}
+
+bool Balance::anchor_at(std::span<const double> x) {
+  if (!has_source()) return true;
+  const Deformation q = deformation(x);
+  const auto source = source_(q);
+  const auto own = stored_energy(section_, quadrature_, q, active_);
+  if (!source || !own) return false;
+  anchor_ = q;
+  missing_ = source->energy;
+  missing_ -= *own;
+  doubt_ = source->doubt;
+  return true;
+}
+
+double Balance::from_anchor(std::span<const double> x) const {
+  if (!has_source()) return 0;
+  const Deformation q = deformation(x);
+  return std::hypot((q.elongation - anchor_.elongation) / scale_[coordinate::elongation],
+                    (q.twist - anchor_.twist) / scale_[coordinate::twist],
+                    (q.inner_growth - anchor_.inner_growth) / scale_[coordinate::inner_growth]);
 }
 
 bool Balance::refine(std::span<const double> x) {

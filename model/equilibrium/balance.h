@@ -37,12 +37,14 @@ struct SuppressedModes {
   int count = 0;
 };
 
-/// What may take the place of the section's own energy, as a unit cell does. Empty: nothing.
-struct EnergySource {
-  using Energy = std::function<std::optional<SectionEnergy>(const Deformation&)>;
-  Energy at;
-  Energy finer;  ///< what errors are measured with
+/// An energy that is dear, such as a unit cell's, and how far it may be off.
+struct SourceEnergy {
+  SectionEnergy energy;
+  SectionEnergy doubt;
 };
+
+/// What may take the place of the section's own energy. Empty: nothing.
+using EnergySource = std::function<std::optional<SourceEnergy>(const Deformation&)>;
 
 /// Scaled coordinates are (lambda - 1, k R_o, kappa R_o, a/R_i - 1), the bore last; energies are in
 /// units of G A (liner shear modulus at rest times rubber cross-section). The pressure unit is the
@@ -55,8 +57,16 @@ class Balance {
   Balance(const Section& section, Held held, const SolverOptions& options,
           EnergySource source = {});
 
-  /// Whether its energy is not the section's own.
-  bool has_source() const { return static_cast<bool>(source_.at); }
+  /// Whether its energy is not the section's own. It is the section's then, and what that lacks
+  /// against the source, to second order from where the source was asked last.
+  bool has_source() const { return static_cast<bool>(source_); }
+
+  /// Asks the source for the state at `x`, so that the energy is the source's near it. False where
+  /// the source has none; nothing has changed then. Without a source there is nothing to do.
+  bool anchor_at(std::span<const double> x);
+
+  /// Distance from where the source was asked last, in scaled coordinates; 0 without a source.
+  double from_anchor(std::span<const double> x) const;
 
   int free_count() const { return static_cast<int>(free_.size()); }
 
@@ -92,6 +102,7 @@ class Balance {
 
  private:
   std::optional<BalanceAt> evaluate(std::span<const double> x, const Quadrature& quadrature) const;
+  std::optional<SectionEnergy> corrected_energy(const Deformation& q) const;
   std::optional<BalanceAt> balanced(std::span<const double> x,
                                     const std::optional<SectionEnergy>& stored) const;
   Quadrature quadrature(int liner, int lattice, int around) const;
@@ -100,6 +111,9 @@ class Balance {
 
   Section section_;
   EnergySource source_;
+  Deformation anchor_;
+  SectionEnergy missing_;    // the source's energy less the section's, about the anchor
+  SectionEnergy doubt_;      // of the source's, about the anchor
   std::vector<int> active_;  // coordinates with a derivative: free ones, and held ones that react
   std::vector<int> free_;    // solved for
   std::vector<int> suppressed_;  // free, but zero by symmetry

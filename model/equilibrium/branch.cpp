@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 #include "model/equilibrium/law_limits.h"
@@ -14,6 +15,11 @@ namespace {
 constexpr double path_accuracy = 1e-7;
 constexpr double near_its_bound = 0.01;  // of an asymptote's pressure, what may be left
 constexpr double extremum_goal = 1e-9;   // of the state at an angle extremum
+
+// Where an energy is another's to second order about its anchor: how far from there it is good
+// enough, and how often it may be anchored anew for one state.
+constexpr double anchored = 1e-3;
+constexpr int most_anchors = 6;
 
 }  // namespace
 
@@ -27,6 +33,7 @@ Branch::Branch(const Section& section, Held held, const SolverOptions& options, 
 
 void Branch::restart() {
   const BranchPoint rest{};
+  if (!balance_.anchor_at(rest)) throw std::runtime_error("a segment cannot be solved at rest");
   here_ = examined(equations_of(balance_), rest, *balance_.at(rest), load_axis(n_));
   step_length_ = first_step;
   critical_points_.clear();
@@ -34,19 +41,18 @@ void Branch::restart() {
 }
 
 std::optional<BranchState> Branch::correct(const BranchPoint& start, const BranchPoint& normal) {
-  EquilibriumEquations equations = equations_of(balance_);
-  // Where a state is dear, a correction that would not count is not carried to its end.
-  if (balance_.has_source()) {
-    const double reach = 2 * greatest_contraction * std::max(distance(start, here_.x), first_step);
-    equations.at = [this, start, reach](std::span<const double> x) {
-      BranchPoint point{};
-      std::copy(x.begin(), x.end(), point.begin());
-      return distance(point, start) > reach ? std::nullopt : balance_.at(x);
-    };
+  const EquilibriumEquations equations = equations_of(balance_);
+  const double reach = 2 * greatest_contraction * std::max(distance(start, here_.x), first_step);
+  BranchPoint from = start;
+  for (int anchors = 0;; ++anchors) {
+    auto state = corrected(equations, newton_, from, normal, here_.tangent);
+    iterations_ += newton_.iterations();
+    if (!state || balance_.from_anchor(state->x) <= anchored) return state;
+    // A correction that would not count is not worth what its energy costs.
+    const bool counts = distance(state->x, start) <= reach && anchors < most_anchors;
+    if (!counts || !balance_.anchor_at(state->x)) return std::nullopt;
+    from = state->x;
   }
-  auto state = corrected(equations, newton_, start, normal, here_.tangent);
-  iterations_ += newton_.iterations();
-  return state;
 }
 
 CorrectInPlane Branch::in_plane() {

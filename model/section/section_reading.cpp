@@ -82,6 +82,11 @@ struct Layer {
   LawsByShape laws;
 };
 
+/// Strips and rings are plates on the liner; a unit cell's section is the nearest one to it.
+bool is_bonded(const ModelChoice& model) {
+  return model.wall == WallKind::bonded || model.wall == WallKind::unit_cell;
+}
+
 void refuse_in_bonded(const Grid& grid, std::size_t index) {
   if (!is_curved(grid.path)) return;
   throw UnsupportedDesign(grid_name(index) + " has " + std::string(describe(grid.path).name) +
@@ -94,7 +99,7 @@ StrandFamily strand_family(const Layer& layer, std::size_t index) {
   const Grid& grid = segment.lattice->grids[index];
   const bool layered = layer.model.wall != WallKind::mixture;
   if (!layered) refuse_in_mixture(grid, index);
-  if (layer.model.wall == WallKind::bonded) refuse_in_bonded(grid, index);
+  if (is_bonded(layer.model)) refuse_in_bonded(grid, index);
   const double modulus = strand_modulus_mpa(*segment.lattice);
   // Exactly mirrored for mirrored angles: a symmetric lattice is symmetric to the last bit, and
   // does not twist.
@@ -114,7 +119,7 @@ StrandFamily strand_family(const Layer& layer, std::size_t index) {
       const double fraction = layered ? width / around : mixture_lattice / grid.count();
       filled += fraction;
       strand.stretch_modulus_mpa = fraction * modulus;
-      if (layer.model.wall == WallKind::bonded) {
+      if (is_bonded(layer.model)) {
         const auto& material = std::get<Linear>(segment.lattice->material.law);
         strand.joint_modulus_mpa =
             fraction * clear_shear_joint_mpa(material, width, family.sine, layer.rings.pitch_mm,
@@ -148,7 +153,7 @@ void add_lattice(const Segment& segment, const ModelChoice& model, const StrandL
   section.anisotropic_to_mm = section.outer_radius_mm;
   const RingLayout rings = ring_layout(segment);
   double share = mixture && rings.pitch_mm > 0 ? mixture_lattice : rings.fraction;
-  if (model.wall == WallKind::bonded) {
+  if (is_bonded(model)) {
     section.bond = bond_of_rings(segment, rings);
     share = section.bond->ring_share;
   }

@@ -210,7 +210,7 @@ TEST(CalibratedSection, HasTheCellsStiffnessAtRest) {
   const Segment segment = twisting_segment(45);
   const Section section = calibrated_section(segment, Calibrate::stiffness);
   const SectionEnergy found = stored_energy(section, make_quadrature(section, 16, 16), {}).value();
-  const SectionEnergy cell = UnitCellEnergy(*find_unit_cell(segment).cell).at({}).value();
+  const SectionEnergy cell = UnitCellEnergy(*find_unit_cell(segment).cell).at({}).value().energy;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       const double size = std::sqrt(cell.second(i, i) * cell.second(j, j));
