@@ -29,7 +29,8 @@ std::vector<MakerOf> makers() {
         {{Stage::flat_pattern}, make_flat_patterns},
         {{Stage::lattice, Stage::liner}, make_rest_together},
 #if LATTICAST_HAS_PREDICT
-        {{Stage::preview}, make_preview}, {{Stage::report}, make_report},
+        {{Stage::deck}, make_decks}, {{Stage::preview}, make_preview},
+        {{Stage::report}, make_report},
 #endif
   };
 }

@@ -39,6 +39,7 @@ void make_flat_patterns(Build& build, std::vector<Task>& tasks);
 void make_rest_together(Build& build, std::vector<Task>& tasks);  ///< after lattices and liners
 void make_molds(Build& build, std::vector<Task>& tasks);          ///< with LATTICAST_MOLDS
 void make_preview(Build& build, std::vector<Task>& tasks);        ///< with LATTICAST_PREDICT
+void make_decks(Build& build, std::vector<Task>& tasks);          ///< with LATTICAST_PREDICT
 void make_report(Build& build, std::vector<Task>& tasks);         ///< with LATTICAST_PREDICT
 
 }  // namespace latticast

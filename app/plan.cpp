@@ -127,6 +127,8 @@ std::string_view name(Stage stage) {
       return "lattice-mold";
     case Stage::liner_mold:
       return "liner-mold";
+    case Stage::deck:
+      return "deck";
     case Stage::report:
       return "report";
   }
@@ -161,6 +163,11 @@ std::vector<std::string> unavailable([[maybe_unused]] const Plan& plan) {
   }
 #endif
 #if !LATTICAST_HAS_PREDICT
+  if (runs_any(plan, &Product::needs_cell)) {
+    missing.emplace_back(
+        "this program was built without the unit cell that a deck's mesh comes from: build it with "
+        "-DLATTICAST_PREDICT=ON, or leave it out with --only");
+  }
   if (runs_any(plan, &Product::shows_inflated)) {
     missing.emplace_back(
         "this program was built without the prediction that a preview or report needs: build it "

@@ -20,6 +20,7 @@ enum class Stage {
   preview,
   lattice_mold,
   liner_mold,
+  deck,
   report,
 };
 

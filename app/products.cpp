@@ -9,7 +9,7 @@
 namespace latticast {
 namespace {
 
-constexpr std::array<Product, 7> table{{
+constexpr std::array<Product, 8> table{{
     {.stage = Stage::lattice,
      .key = "lattice",
      .asked = [](const Make& make) { return make.lattice; },
@@ -50,6 +50,12 @@ constexpr std::array<Product, 7> table{{
      .leave_out = [](Make& make) { make.liner_mold.reset(); },
      .is_printed = true,
      .is_mold = true},
+    {.stage = Stage::deck,
+     .key = "deck",
+     .asked = [](const Make& make) { return make.deck.has_value(); },
+     .leave_out = [](Make& make) { make.deck.reset(); },
+     .only_of_lattice = true,
+     .needs_cell = true},
     {.stage = Stage::report,
      .key = "report",
      .asked = [](const Make& make) { return make.report; },

@@ -24,6 +24,7 @@ struct Product {
   bool is_printed = false;          ///< checks of printing concern it
   bool is_mold = false;             ///< checks of casting concern it, and it needs LATTICAST_MOLDS
   bool shows_inflated = false;      ///< needs LATTICAST_PREDICT
+  bool needs_cell = false;          ///< needs LATTICAST_PREDICT: the mesh is a unit cell's
 };
 
 /// In the order of work.

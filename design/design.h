@@ -131,6 +131,13 @@ struct Preview {
   std::vector<LoadCase> cases;
 };
 
+/// Files for finite-element programs: of one of the lattice's equal sectors, or of the whole tube.
+struct Deck {
+  bool inp = true;
+  bool msh = false;
+  bool whole = false;
+};
+
 /// What to make; nothing that is not named.
 struct Make {
   bool lattice = false;
@@ -139,6 +146,7 @@ struct Make {
   std::optional<LatticeMold> lattice_mold;
   std::optional<LinerMold> liner_mold;
   std::optional<Preview> preview;
+  std::optional<Deck> deck;
   bool report = false;
 };
 

@@ -46,9 +46,10 @@ Design read_tables(TableReader file, const MaterialLibrary& materials) {
   design.model = read_model(file.may("model"));
   const Field segments = file.need("segment", "a line [[segment]], with its keys below");
   design.segments = read_segments(segments, materials, design.model.columns);
-  design.load = read_load(file.may("load"), design.segments.size());
+  const Field load = file.may("load");
+  design.load = read_load(load, design.segments.size());
   design.printer = read_printer(file.may("printer"));
-  design.make = read_make(file.may("make"), design.segments, design.printer);
+  design.make = read_make(file.may("make"), design.segments, design.printer, load.present());
   design.output = read_export(file, design.segments);
   file.refuse_unknown_keys();
   return design;

@@ -170,6 +170,31 @@ double thinnest_feature_mm(const std::vector<Segment>& segments) {
   return thinnest;
 }
 
+std::optional<Deck> read_deck(const Field& field, bool has_load) {
+  if (!field.present()) return std::nullopt;
+  constexpr std::string_view hint = R"(write deck = { formats = ["inp"], part = "sector" })";
+  TableReader table = field.as_table(hint);
+  Deck deck;
+  const Field formats = table.may("formats");
+  if (formats.present()) {
+    enum class Format { inp, msh };
+    constexpr Word<Format> words[] = {{"inp", Format::inp}, {"msh", Format::msh}};
+    deck.inp = false;
+    for (const Field& item : formats.items(1, 2, R"(write formats = ["inp", "msh"])")) {
+      (item.word_or(Format::inp, words) == Format::inp ? deck.inp : deck.msh) = true;
+    }
+  }
+  enum class Part { sector, actuator };
+  constexpr Word<Part> parts[] = {{"sector", Part::sector}, {"actuator", Part::actuator}};
+  deck.whole = table.may("part").word_or(Part::sector, parts) == Part::actuator;
+  table.refuse_unknown_keys();
+  if (deck.inp && !has_load) {
+    field.refuse("a deck has a step for each pressure, and there is none",
+                 "add [load] pressure = { from = 10, to = 40, step = 10 }");
+  }
+  return deck;
+}
+
 }  // namespace
 
 std::vector<LoadCase> read_load(const Field& field, std::size_t segments) {
@@ -230,7 +255,8 @@ ModelChoice read_model(const Field& field) {
   return model;
 }
 
-Make read_make(const Field& field, const std::vector<Segment>& segments, const Printer& printer) {
+Make read_make(const Field& field, const std::vector<Segment>& segments, const Printer& printer,
+               bool has_load) {
   TableReader table = field.as_table("start with a line [make]");
   const MoldSurroundings around{segments, fit_clearance_mm(printer)};
   const Field lattice = table.may("lattice");
@@ -242,6 +268,8 @@ Make read_make(const Field& field, const std::vector<Segment>& segments, const P
   make.lattice_mold = read_lattice_mold(table.may("lattice_mold"), around);
   make.liner_mold = read_liner_mold(table.may("liner_mold"), around);
   make.preview = read_preview(table.may("preview"), segments.size());
+  const Field deck = table.may("deck");
+  make.deck = read_deck(deck, has_load);
   make.report = table.may("report").flag_or(false);
   table.refuse_unknown_keys();
 
@@ -250,6 +278,9 @@ Make read_make(const Field& field, const std::vector<Segment>& segments, const P
   constexpr std::string_view hint = "add [segment.lattice], or leave this out";
   if (make.lattice) {
     lattice.refuse("a lattice must be there to be made, but no segment has one", std::string(hint));
+  }
+  if (make.deck) {
+    deck.refuse("a lattice must be there to be meshed, but no segment has one", std::string(hint));
   }
   if (make.flat_pattern) {
     flat_pattern.refuse("a lattice must be there to be drawn flat, but no segment has one",

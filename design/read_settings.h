@@ -15,8 +15,10 @@ std::vector<LoadCase> read_load(const Field& field, std::size_t segments);
 
 ModelChoice read_model(const Field& field);
 
-/// [make]. A lattice can be made only where some segment has one; molds suit the printer.
-Make read_make(const Field& field, const std::vector<Segment>& segments, const Printer& printer);
+/// [make]. A lattice can be made only where some segment has one; molds suit the printer; a deck
+/// needs a load.
+Make read_make(const Field& field, const std::vector<Segment>& segments, const Printer& printer,
+               bool has_load);
 
 /// [export] of the file. The tolerance, written or not, must be finer than the thinnest layer and
 /// the narrowest strand, ring or fillet.

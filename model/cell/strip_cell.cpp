@@ -6,49 +6,10 @@
 #include <map>
 
 #include "design/units.h"
+#include "model/cell/strip_grid.h"
 
 namespace latticast {
 namespace {
-
-/// Ends of `count` elements from `from` to `to`, each a constant factor longer than the one before,
-/// the last one `grading` times as long as the first.
-void append_steps(std::vector<double>& ends, double to, int count, double grading) {
-  if (count == 0) return;
-  const double from = ends.back();
-  const double ratio = count > 1 ? std::pow(grading, 1.0 / (count - 1)) : 1;
-  double sum = 0;
-  double step = 1;
-  std::vector<double> sums;
-  sums.reserve(count);
-  for (int i = 0; i < count; ++i, step *= ratio) sums.push_back(sum += step);
-  for (const double reached : sums) ends.push_back(from + (to - from) * reached / sum);
-  ends.back() = to;
-}
-
-/// Symmetric steps: the ones in the middle `grading` times as long as the first and the last.
-void append_graded(std::vector<double>& ends, double to, int count, double grading) {
-  const double from = ends.back();
-  const double ratio = count > 2 ? std::pow(grading, 1.0 / std::floor((count - 1) / 2.0)) : 1;
-  std::vector<double> sums;
-  sums.reserve(count);
-  double sum = 0;
-  for (int i = 0; i < count; ++i) {
-    sums.push_back(sum += std::pow(ratio, std::min(i, count - 1 - i)));
-  }
-  for (const double reached : sums) ends.push_back(from + (to - from) * reached / sum);
-  ends.back() = to;
-}
-
-/// Element ends with their middles: what nodes stand on.
-std::vector<double> with_middles(const std::vector<double>& ends) {
-  std::vector<double> all;
-  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-    all.push_back(ends[i]);
-    all.push_back(0.5 * (ends[i] + ends[i + 1]));
-  }
-  all.push_back(ends.back());
-  return all;
-}
 
 /// The cell's grid: t around the tube, following the strip, from one edge of a strip to that of the
 /// next; z along it from the middle of a ring to the middle between two; r through the wall.

@@ -4,22 +4,9 @@
 #pragma once
 
 #include "model/cell/cell_mesh.h"
+#include "model/cell/strip_tube.h"
 
 namespace latticast {
-
-/// A tube with `strips` equal helical strips and rings, all of one layer.
-struct StripTube {
-  double inner_radius_mm = 0;
-  double liner_outer_radius_mm = 0;
-  double outer_radius_mm = 0;
-  double angle_rad = 0;  ///< of the strips, from the circumference, at the layer's mid radius
-  int strips = 0;
-  double strip_width_mm = 0;
-  double pitch_mm = 0;       ///< of the rings
-  double ring_width_mm = 0;  ///< 0: no rings, and any pitch
-  Law liner;
-  Linear lattice;
-};
 
 /// Elements along each way through the cell.
 struct StripDivision {

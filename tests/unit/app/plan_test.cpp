@@ -32,6 +32,7 @@ const PlannedStage& planned(const Plan& plan, Stage stage) {
 Make everything() {
   Make make;
   make.lattice = make.liner = make.flat_pattern = make.report = true;
+  make.deck.emplace();
   make.preview.emplace();
   make.lattice_mold.emplace();
   make.liner_mold.emplace();
@@ -58,8 +59,8 @@ TEST(Products, AreAskedForUntilTheyAreLeftOut) {
 
 TEST(Products, AreListedAsTheCommandLineTakesThem) {
   EXPECT_EQ(product_words(false),
-            "lattice, liner, flat-pattern, preview, lattice-mold, liner-mold, molds, report");
-  EXPECT_EQ(product_words(true), "lattice, liner, flat-pattern, preview, molds, report");
+            "lattice, liner, flat-pattern, preview, lattice-mold, liner-mold, molds, deck, report");
+  EXPECT_EQ(product_words(true), "lattice, liner, flat-pattern, preview, molds, deck, report");
 }
 
 TEST(Plan, SaysWhyEachStageRunsOrNot) {
@@ -75,6 +76,7 @@ TEST(Plan, SaysWhyEachStageRunsOrNot) {
             "skip  preview        [make] does not name preview\n"
             "skip  lattice-mold   [make] does not name lattice_mold\n"
             "skip  liner-mold     [make] does not name liner_mold\n"
+            "skip  deck           [make] does not name deck\n"
             "skip  report         left out by --only\n");
 }
 
@@ -118,7 +120,7 @@ std::string refusal(const Design& design, const std::vector<std::string>& only) 
 TEST(Plan, RefusesPartsThatAreNoneOrNotAskedFor) {
   EXPECT_EQ(refusal(strips(), {"rings"}),
             "--only rings: no such part; parts are lattice, liner, flat-pattern, preview, "
-            "lattice-mold, liner-mold, molds, report");
+            "lattice-mold, liner-mold, molds, deck, report");
   EXPECT_FALSE(refusal(strips(), {""}).empty());
   EXPECT_EQ(refusal(strips(), {"molds"}),
             "--only molds: the design's [make] does not ask for it; add it there first");
