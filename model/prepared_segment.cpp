@@ -18,18 +18,26 @@ std::shared_ptr<const UnitCell> needed_cell(const Segment& segment) {
   throw UnsupportedDesign(found.reason + "; kind = \"layered\" predicts this segment without one");
 }
 
+bool is_flat(const Section& section) {
+  return std::abs(section.families.front().sine) < std::sin(least_calibrated_angle_rad);
+}
+
 /// Empty, or why the section stays as it is.
 std::string calibrate(const UnitCell& cell, Section& section) {
-  const StrandFamily& family = section.families.front();
-  if (std::abs(family.sine) < std::sin(least_calibrated_angle_rad)) {
-    return "its strands are too flat for their strains to be told apart";
-  }
+  if (is_flat(section)) return "its strands are too flat for their strains to be told apart";
   const auto at_rest = UnitCellEnergy(cell).at({});
   if (!at_rest) return "the unit cell could not be solved at rest";
   const auto calibration = calibrated_at_rest(section, at_rest->energy);
-  if (!calibration) return "the unit cell's mesh makes the lattice's stiffness negative";
+  if (!calibration) return "the unit cell's meshes are too coarse for so slender a lattice";
   section.calibration = std::make_shared<const Calibration>(*calibration);
   return {};
+}
+
+/// A section that the cell has calibrated tells nearly where the cell's next state is.
+void follow_cell(const UnitCell& cell, Section& section) {
+  const std::string fault = calibrate(cell, section);
+  if (fault.empty() || is_flat(section)) return;
+  throw UnsupportedDesign(fault + "; kind = \"layered\" predicts this segment without one");
 }
 
 void calibrate(const Segment& segment, Calibrate what, PreparedSegment& prepared) {
@@ -54,8 +62,7 @@ PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model
   }
   if (model.wall == WallKind::unit_cell) prepared.cell = needed_cell(segment);
   prepared.section = prepare_section(segment, model, known);
-  // Where the cell has calibrated the section, the section tells nearly where its next state is.
-  if (prepared.cell) calibrate(*prepared.cell, std::get<Section>(prepared.section));
+  if (prepared.cell) follow_cell(*prepared.cell, std::get<Section>(prepared.section));
   if (model.wall == WallKind::bonded) calibrate(segment, model.calibrate, prepared);
   return prepared;
 }

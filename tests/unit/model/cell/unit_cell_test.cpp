@@ -213,7 +213,7 @@ TEST(UnitCell, StoresTheWorkOfPressure) {
                                  .twist = state->twist_rad_per_mm,
                                  .inner_growth = state->inner_radius_mm - 12});
     ASSERT_TRUE(here) << state->pressure_kpa;
-    stored = here->value;
+    stored = here->energy.value;
   }
   // The rule's error is of second order in the steps, so that what is left of it is of the fourth.
   const double coarse = work_along(response.states, 2);
