@@ -35,16 +35,29 @@ void add_messages(const Response& response, std::size_t segment, const Console& 
   response.status == Status::ok ? console.note(line) : console.error(line);
 }
 
-// Measured against a three-dimensional calculation: docs/model.md#what-it-leaves-out.
+// Measured against three-dimensional calculations: docs/model.md#what-it-leaves-out and
+// docs/bonded.md#accuracy. Empty where none is worth a note.
+std::string_view known_bias(const ModelChoice& model) {
+  if (model.wall == WallKind::unit_cell) return {};
+  if (model.wall != WallKind::bonded) {
+    return "known bias: against a 3-D finite-element cell (36 degrees, 8 strips), stretch - 1 "
+           "comes "
+           "out 18-28 % and twist 7-20 % too high with joint = \"clear-span\" (docs/model.md); "
+           "kind "
+           "= \"bonded\" corrects it for straight strips";
+  }
+  if (model.calibrate != Calibrate::nothing) return {};
+  return "known bias: against finite-element cells with rings 6 to 10 mm apart, stretch - 1 comes "
+         "out "
+         "up to 16 % and twist up to 19 % off (docs/bonded.md); calibrate = true corrects it";
+}
+
 void note_known_bias(const Design& design, const Console& console) {
-  if (design.model.wall == WallKind::unit_cell || design.model.wall == WallKind::bonded) return;
   const bool reinforced =
       std::any_of(design.segments.begin(), design.segments.end(),
                   [](const Segment& segment) { return segment.lattice.has_value(); });
-  if (!reinforced) return;
-  console.note(
-      "known bias: against a 3-D finite-element cell (36 degrees, 8 strips), stretch - 1 comes "
-      "out 18-28 % and twist 7-20 % too high with joint = \"clear-span\" (docs/model.md)");
+  const std::string_view bias = known_bias(design.model);
+  if (reinforced && !bias.empty()) console.note(bias);
 }
 
 ExitStatus predict_responses(const Design& design, const PredictArguments& arguments,

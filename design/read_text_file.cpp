@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/read_text_file.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -17,10 +19,14 @@ std::string read_text_file(const std::filesystem::path& file) {
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw FileError(file, errno != 0 ? std::strerror(errno) : "cannot be opened");
-  std::string text(limits::file_bytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  std::array<char, 16384> part;
+  while (stream && text.size() <= limits::file_bytes) {
+    const std::size_t most = std::min(part.size(), limits::file_bytes + 1 - text.size());
+    stream.read(part.data(), static_cast<std::streamsize>(most));
+    text.append(part.data(), static_cast<std::size_t>(stream.gcount()));
+  }
   if (stream.bad()) throw FileError(file, "cannot be read");
-  text.resize(static_cast<std::size_t>(stream.gcount()));
   return text;
 }
 

@@ -2,6 +2,7 @@
 #include "model/cell/element_energy.h"
 
 #include <cmath>
+#include <memory>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -163,7 +164,9 @@ bool evaluate(const CellMesh& mesh, const CellElement& element,
               const ElementPressure* held, ElementEnergy& result) {
   const CellMaterial& material = mesh.materials[element.material];
   const PlacedNodes nodes = placed(mesh, element, displacement);
-  thread_local DilatedElement dilated;
+  // On the heap: what a thread keeps for itself is set to zero when the program starts.
+  thread_local const auto scratch = std::make_unique<DilatedElement>();
+  DilatedElement& dilated = *scratch;
   if (!dilate(nodes, strain, dilated)) return false;
   const PressureMatrix stiffness = material.bulk_modulus_mpa * dilated.mass.inverse();
   const Pressures pressure = stiffness * dilated.dilation;

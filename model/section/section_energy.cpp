@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include "design/units.h"
 #include "model/section/bonded_lattice.h"
@@ -83,18 +84,20 @@ struct WallPlane {
 };
 
 /// The law is evaluated in plain numbers and chained, so that none of it is compiled for every set
-/// of unknowns.
+/// of unknowns; but for the most frequent one, of which there is little.
 template <bool bent, class Number>
 Number liner_energy(const Section& section, const Quadrature& quadrature,
                     const Kinematics<Number>& q) {
+  const auto* neo_hookean = std::get_if<NeoHookean>(&section.liner_law);
   Number sum(0);
   for (const auto& [radius, weight] : quadrature.liner) {
     const AtRadius<bent, Number> at(q, radius);
     const Number shear_squared = square((at.hoop_strain + 1.0) * (q.twist * radius));
     const auto add = [&](const Number& elongation, double share) {
       const WallPlane<Number> plane(at.hoop_strain, elongation, shear_squared);
-      const EnergyDensity w =
-          energy_density(section.liner_law, {plane.area.value, plane.distortion.value});
+      const InPlaneStretch stretch{plane.area.value, plane.distortion.value};
+      const EnergyDensity w = neo_hookean != nullptr ? neo_hookean->energy_density(stretch)
+                                                     : energy_density(section.liner_law, stretch);
       sum += chain(plane.area, plane.distortion,
                    {.value = w.value,
                     .by_x = w.by_area,
@@ -238,10 +241,10 @@ Number ring_pad(const Bond& bond, const Quadrature& quadrature, const Kinematics
   return sum;
 }
 
-/// The same lattice as plates that are bonded to the liner.
+/// The same lattice as plates that are bonded to the liner; kept out of what most sections need.
 template <bool bent, class Number>
-Number bonded_energy(const Section& section, const Bond& bond, const Quadrature& quadrature,
-                     const Kinematics<Number>& q) {
+[[gnu::noinline]] Number bonded_energy(const Section& section, const Bond& bond,
+                                       const Quadrature& quadrature, const Kinematics<Number>& q) {
   Number sum(0);
   for (const auto& [radius, weight] : quadrature.lattice) {
     const AtRadius<bent, Number> at(q, radius);
