@@ -118,14 +118,20 @@ void hand_over(const CalibratedSolver& solver, std::span<const double> pressures
   Response cell = solver.by_cell(asked);
   for (std::size_t i = 0; i < beyond.size(); ++i) response.states[beyond[i]] = cell.states[i];
 
-  const auto [lowest, highest] = std::minmax_element(asked.begin(), asked.end());
-  const double from = *lowest < 0 ? *highest : *lowest;
-  const auto reached = [from](const AngleExtremum& point) {
-    return from < 0 ? point.pressure_kpa < from : point.pressure_kpa > from;
+  // A section that fails further on is not believed beyond the last pressure where it has a state.
+  double trusted = 0;
+  for (std::size_t i = 0; i < pressures_kpa.size(); ++i) {
+    const bool handed = std::binary_search(beyond.begin(), beyond.end(), i);
+    if (!handed) trusted = std::max(trusted, std::abs(pressures_kpa[i]));
+  }
+  const auto is_beyond = [trusted](const AngleExtremum& point) {
+    return std::abs(point.pressure_kpa) > trusted;
   };
-  std::erase_if(response.angle_extrema, reached);
+  std::erase_if(response.angle_extrema, is_beyond);
   std::copy_if(cell.angle_extrema.begin(), cell.angle_extrema.end(),
-               std::back_inserter(response.angle_extrema), reached);
+               std::back_inserter(response.angle_extrema), is_beyond);
+  const double from = *std::min_element(
+      asked.begin(), asked.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
   response.critical_points = std::move(cell.critical_points);
   response.status = cell.status;
   response.message = std::move(cell.message);
@@ -147,7 +153,11 @@ Response calibrated_response(const PreparedSegment& segment, std::span<const dou
   Response response = solver.by_section(pressures_kpa);
   const std::vector<std::size_t> beyond = beyond_section(solver.section(), response);
   if (!beyond.empty()) hand_over(solver, pressures_kpa, beyond, response);
-  if (!drift.empty()) add_sentence(response.message, drift);
+  if (!drift.empty()) {
+    add_sentence(response.message, drift);
+  } else if (!segment.calibration_doubt.empty()) {
+    add_sentence(response.message, segment.calibration_doubt);
+  }
   return response;
 }
 

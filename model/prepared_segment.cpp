@@ -8,6 +8,7 @@
 #include "model/cell/unit_cell.h"
 #include "model/section/calibration.h"
 #include "model/section/section_reading.h"
+#include "model/strand/links.h"
 
 namespace latticast {
 namespace {
@@ -40,6 +41,28 @@ void follow_cell(const UnitCell& cell, Section& section) {
   throw UnsupportedDesign(fault + "; kind = \"layered\" predicts this segment without one");
 }
 
+// What docs/bonded.md#accuracy has figures for.
+constexpr double least_liner_by_radius = 0.3;
+constexpr double least_modulus_ratio = 20;
+constexpr double most_modulus_ratio = 7000;
+
+std::string calibration_doubt(const Segment& segment) {
+  std::string what;
+  if (segment.liner.thickness_mm < least_liner_by_radius * segment.inner_radius_mm()) {
+    what = "a liner thinner than 0.3 times its bore's radius";
+  }
+  const double ratio =
+      strand_modulus_mpa(*segment.lattice) / rest_shear_modulus_mpa(segment.liner.material.law);
+  if (ratio < least_modulus_ratio || ratio > most_modulus_ratio) {
+    what += (what.empty() ? "" : " and ") + std::string(
+                                                "a lattice whose E is not 20 to 7000 times "
+                                                "the liner's shear modulus");
+  }
+  if (what.empty()) return what;
+  return "calibration at rest may not carry far for " + what +
+         " (docs/bonded.md): calibrate = \"state\" says how far it is off";
+}
+
 void calibrate(const Segment& segment, Calibrate what, PreparedSegment& prepared) {
   if (what == Calibrate::nothing) return;
   FoundCell found = find_unit_cell(segment);
@@ -48,6 +71,7 @@ void calibrate(const Segment& segment, Calibrate what, PreparedSegment& prepared
   if (!prepared.not_calibrated.empty()) return;
   prepared.cell = std::move(found.cell);
   prepared.calibrate = what;
+  prepared.calibration_doubt = calibration_doubt(segment);
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ struct PreparedSegment {
   std::shared_ptr<const UnitCell> cell;
   Calibrate calibrate = Calibrate::nothing;  ///< what of the section the cell has set, or will
   std::string not_calibrated;                ///< why it has set nothing although it was asked to
+  std::string calibration_doubt;  ///< why what it has set may not carry far; mostly empty
 };
 
 /// Prepares a segment under the chosen column model, reusing `known` laws where they fit. Throws

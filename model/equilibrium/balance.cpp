@@ -115,13 +115,13 @@ std::optional<BalanceAt> Balance::finer_at(std::span<const double> x) const {
   if (!has_source()) return evaluate(x, finer_);
   const Deformation q = deformation(x);
   auto energy = corrected_energy(q);
-  if (energy) *energy += moved(doubt_, anchor_, q);
+  if (energy) *energy += moved(anchor_->doubt, anchor_->at, q);
   return balanced(x, energy);
 }
 
 std::optional<SectionEnergy> Balance::corrected_energy(const Deformation& q) const {
   auto energy = stored_energy(section_, quadrature_, q, active_);
-  if (energy) *energy += moved(missing_, anchor_, q);
+  if (energy) *energy += moved(anchor_->missing, anchor_->at, q);
   return energy;
 }
 
@@ -131,19 +131,18 @@ bool Balance::anchor_at(std::span<const double> x) {
   const auto source = source_(q);
   const auto own = stored_energy(section_, quadrature_, q, active_);
   if (!source || !own) return false;
-  anchor_ = q;
-  missing_ = source->energy;
-  missing_ -= *own;
-  doubt_ = source->doubt;
+  SectionEnergy missing = source->energy;
+  missing -= *own;
+  anchor_ = std::make_shared<const EnergyAnchor>(EnergyAnchor{q, missing, source->doubt});
   return true;
 }
 
-double Balance::from_anchor(std::span<const double> x) const {
-  if (!has_source()) return 0;
-  const Deformation q = deformation(x);
-  return std::hypot((q.elongation - anchor_.elongation) / scale_[coordinate::elongation],
-                    (q.twist - anchor_.twist) / scale_[coordinate::twist],
-                    (q.inner_growth - anchor_.inner_growth) / scale_[coordinate::inner_growth]);
+double Balance::distance_from(const EnergyAnchor& anchor, std::span<const double> x) const {
+  const auto from = coordinates(anchor.at);
+  const auto to = coordinates(deformation(x));
+  double sum = 0;
+  for (std::size_t i = 0; i < coordinate_count; ++i) sum += square((to[i] - from[i]) / scale_[i]);
+  return std::sqrt(sum);
 }
 
 bool Balance::refine(std::span<const double> x) {

@@ -5,8 +5,10 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "model/equilibrium/response.h"
@@ -43,6 +45,13 @@ struct SourceEnergy {
   SectionEnergy doubt;
 };
 
+/// What a section's energy lacks against a source's, known to second order about one deformation.
+struct EnergyAnchor {
+  Deformation at;
+  SectionEnergy missing;
+  SectionEnergy doubt;  ///< of the source's energy
+};
+
 /// What may take the place of the section's own energy. Empty: nothing.
 using EnergySource = std::function<std::optional<SourceEnergy>(const Deformation&)>;
 
@@ -65,8 +74,12 @@ class Balance {
   /// the source has none; nothing has changed then. Without a source there is nothing to do.
   bool anchor_at(std::span<const double> x);
 
-  /// Distance from where the source was asked last, in scaled coordinates; 0 without a source.
-  double from_anchor(std::span<const double> x) const;
+  /// Where the source was asked last; null without a source.
+  const std::shared_ptr<const EnergyAnchor>& anchor() const { return anchor_; }
+  void return_to(std::shared_ptr<const EnergyAnchor> anchor) { anchor_ = std::move(anchor); }
+
+  /// Distance from an anchor in scaled coordinates.
+  double distance_from(const EnergyAnchor& anchor, std::span<const double> x) const;
 
   int free_count() const { return static_cast<int>(free_.size()); }
 
@@ -111,9 +124,7 @@ class Balance {
 
   Section section_;
   EnergySource source_;
-  Deformation anchor_;
-  SectionEnergy missing_;    // the source's energy less the section's, about the anchor
-  SectionEnergy doubt_;      // of the source's, about the anchor
+  std::shared_ptr<const EnergyAnchor> anchor_;
   std::vector<int> active_;  // coordinates with a derivative: free ones, and held ones that react
   std::vector<int> free_;    // solved for
   std::vector<int> suppressed_;  // free, but zero by symmetry

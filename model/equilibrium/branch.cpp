@@ -17,8 +17,10 @@ constexpr double near_its_bound = 0.01;  // of an asymptote's pressure, what may
 constexpr double extremum_goal = 1e-9;   // of the state at an angle extremum
 
 // Where an energy is another's to second order about its anchor: how far from there it is good
-// enough, and how often it may be anchored anew for one state.
-constexpr double anchored = 1e-3;
+// enough, as a share of the step and within bounds, and how often it may be anchored anew.
+constexpr double anchored_share = 0.02;
+constexpr double least_anchored = 1e-6;
+constexpr double most_anchored = 1e-3;
 constexpr int most_anchors = 6;
 
 }  // namespace
@@ -35,24 +37,44 @@ void Branch::restart() {
   const BranchPoint rest{};
   if (!balance_.anchor_at(rest)) throw std::runtime_error("a segment cannot be solved at rest");
   here_ = examined(equations_of(balance_), rest, *balance_.at(rest), load_axis(n_));
+  here_.anchor = balance_.anchor();
   step_length_ = first_step;
   critical_points_.clear();
   angle_extrema_.clear();
 }
 
 std::optional<BranchState> Branch::correct(const BranchPoint& start, const BranchPoint& normal) {
+  if (balance_.has_source()) return correct_anchored(start, normal);
+  auto state = corrected(equations_of(balance_), newton_, start, normal, here_.tangent);
+  iterations_ += newton_.iterations();
+  return state;
+}
+
+/// Anchors the energy where the equilibrium is, as often as that still moves it.
+std::optional<BranchState> Branch::correct_anchored(const BranchPoint& start,
+                                                    const BranchPoint& normal) {
   const EquilibriumEquations equations = equations_of(balance_);
-  const double reach = 2 * greatest_contraction * std::max(distance(start, here_.x), first_step);
+  if (balance_.distance_from(*here_.anchor, start) <
+      balance_.distance_from(*balance_.anchor(), start)) {
+    balance_.return_to(here_.anchor);
+  }
+  const double step = distance(start, here_.x);
+  const double reach = 2 * greatest_contraction * std::max(step, first_step);
+  const double anchored = std::clamp(anchored_share * step, least_anchored, most_anchored);
   BranchPoint from = start;
-  for (int anchors = 0;; ++anchors) {
+  for (int anchors = 0; anchors <= most_anchors; ++anchors) {
     auto state = corrected(equations, newton_, from, normal, here_.tangent);
     iterations_ += newton_.iterations();
-    if (!state || balance_.from_anchor(state->x) <= anchored) return state;
     // A correction that would not count is not worth what its energy costs.
-    const bool counts = distance(state->x, start) <= reach && anchors < most_anchors;
-    if (!counts || !balance_.anchor_at(state->x)) return std::nullopt;
+    if (!state || distance(state->x, start) > reach) return std::nullopt;
+    if (balance_.distance_from(*balance_.anchor(), state->x) <= anchored) {
+      state->anchor = balance_.anchor();
+      return state;
+    }
+    if (!balance_.anchor_at(state->x)) return std::nullopt;
     from = state->x;
   }
+  return std::nullopt;
 }
 
 CorrectInPlane Branch::in_plane() {

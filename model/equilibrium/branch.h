@@ -45,6 +45,7 @@ class Branch {
 
  private:
   std::optional<BranchState> correct(const BranchPoint& start, const BranchPoint& normal);
+  std::optional<BranchState> correct_anchored(const BranchPoint& start, const BranchPoint& normal);
   CorrectInPlane in_plane();
   BranchStep try_step(double length, bool landing, double target);
   Reached follow_to(double target, double sign);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -36,9 +37,10 @@ struct BranchState {
   BranchPoint tangent{};           ///< unit vector along the branch, in the direction of travel
   double smallest_eigenvalue = 0;  ///< of the scaled stiffness of all free coordinates
   int negative_eigenvalues = 0;
-  double nearest_eigenvalue = 0;         ///< the one nearest to zero
-  double nearest_solved_eigenvalue = 0;  ///< the same, among the coordinates solved for
-  double error_estimate = 0;             ///< set where a requested pressure was landed on
+  double nearest_eigenvalue = 0;               ///< the one nearest to zero
+  double nearest_solved_eigenvalue = 0;        ///< the same, among the coordinates solved for
+  double error_estimate = 0;                   ///< set where a requested pressure was landed on
+  std::shared_ptr<const EnergyAnchor> anchor;  ///< under which it is an equilibrium; mostly null
 };
 
 /// The equilibrium at `x`, which must be one, its tangent on the side of `guide`.

@@ -257,14 +257,33 @@ TEST(CalibratedSection, LeavesLimitsToTheCell) {
   EXPECT_NE(found.message.find("unit cell's"), std::string::npos);
 }
 
+TEST(CalibratedSection, SaysWhereItMayNotCarryFar) {
+  const std::vector<double> pressures = {1};
+  const auto message = [&](const Segment& segment) {
+    return predict(segment, bonded(Calibrate::stiffness), pressures).message;
+  };
+  EXPECT_EQ(message(twisting_segment(36)), "");
+  Segment thin = twisting_segment(36);
+  thin.liner.thickness_mm = 1;
+  EXPECT_NE(message(thin).find("a liner thinner than 0.3"), std::string::npos);
+  Segment stiff = twisting_segment(36);
+  stiff.lattice->material.law = Linear{5000, 0.49};
+  EXPECT_NE(message(stiff).find("not 20 to 7000 times"), std::string::npos);
+}
+
 TEST(CalibratedSection, SaysWhyItIsNot) {
   const std::vector<double> pressures = {10};
   const Response pair = predict(paper_segment({36, 144}), bonded(Calibrate::stiffness), pressures);
   EXPECT_TRUE(pair.states[0]);
   EXPECT_NE(pair.message.find("not calibrated: the unit cell knows lattices of one family"),
             std::string::npos);
+  Segment single = twisting_segment(36);
+  single.lattice->grids[0].widths_mm = {2};
+  const Response bent = predict(single, bonded(Calibrate::stiffness), pressures);
+  EXPECT_NE(bent.message.find("a single one bends the tube"), std::string::npos);
   Segment turning = twisting_segment(4);
-  turning.lattice->grids[0].widths_mm = {2};
+  turning.lattice->grids[0].angle_deg = 4.4;
+  turning.lattice->grids[0].widths_mm = {2, 2};
   const Response flat = predict(turning, bonded(Calibrate::stiffness), pressures);
   EXPECT_NE(flat.message.find("too flat"), std::string::npos);
 }
