@@ -218,12 +218,16 @@ std::vector<LoadCase> read_load(const Field& field, std::size_t segments) {
 namespace {
 
 Calibrate read_calibrate(const Field& field, WallKind wall) {
-  constexpr Word<Calibrate> words[] = {{"state", Calibrate::state}};
   if (field.present() && wall != WallKind::bonded) {
     field.refuse("calibrate is for kind = \"bonded\", whose stiffness a unit cell sets",
                  "leave it out, or use kind = \"bonded\"");
   }
-  if (field.is_text()) return field.word_or(Calibrate::state, words);
+  if (field.is_text()) {
+    if (field.text() != "state") {
+      field.refuse(R"(must be true, false or "state")", R"(write calibrate = "state")");
+    }
+    return Calibrate::state;
+  }
   return field.flag_or(true) ? Calibrate::stiffness : Calibrate::nothing;
 }
 
@@ -231,8 +235,8 @@ Calibrate read_calibrate(const Field& field, WallKind wall) {
 
 ModelChoice read_model(const Field& field) {
   constexpr Word<WallKind> kinds[] = {{"layered", WallKind::layered},
-                                      {"bonded", WallKind::bonded},
                                       {"mixture", WallKind::mixture},
+                                      {"bonded", WallKind::bonded},
                                       {"unit-cell", WallKind::unit_cell}};
   constexpr Word<ColumnModel> columns[] = {{"distributed", ColumnModel::distributed},
                                            {"rods", ColumnModel::rods}};
