@@ -145,7 +145,7 @@ std::optional<BranchState> landed_before(const BranchState& here, const BranchPo
                                          double load, int size, const CorrectInPlane& correct) {
   const double left = (limit[size] - load) / (limit[size] - here.x[size]);
   const BranchPoint start = at_load(between(limit, here.x, std::sqrt(left)), load, size);
-  const auto state = correct(start, load_axis(size));
+  auto state = correct(start, load_axis(size));
   if (!state || state->negative_eigenvalues != here.negative_eigenvalues ||
       movement(state->x, start, size) > greatest_contraction * movement(state->x, here.x, size)) {
     return std::nullopt;
