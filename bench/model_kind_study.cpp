@@ -83,9 +83,9 @@ int main(int count, char** arguments) {
   const std::filesystem::path folder = study_folder(count, arguments);
   const std::vector<Kind> kinds = {
       {"layered", choice(WallKind::layered)},
-      {"bonded, not calibrated", choice(WallKind::bonded)},
+      {"bonded uncalibrated", choice(WallKind::bonded)},
       {"bonded", choice(WallKind::bonded, Calibrate::stiffness)},
-      {"bonded, with a state", choice(WallKind::bonded, Calibrate::state)},
+      {"bonded with a state", choice(WallKind::bonded, Calibrate::state)},
       {"unit cell", choice(WallKind::unit_cell)}};
   StudyTable table("model_kinds", {"kind", "stretch - 1, mean (%)", "worst (%)", "twist, mean (%)",
                                    "worst (%)", "set-up (ms)", "6 pressures (ms)"});

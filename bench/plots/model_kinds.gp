@@ -5,7 +5,8 @@ set terminal svg size 800,520 font "sans,13" background "white"
 set datafile separator ","
 set logscale xy
 set grid lc rgb "#dddddd"
-set key below font ",11"
+set key below font ",11" spacing 0.95
+set bmargin 6
 set colorsequence podo
 set xlabel "processor time of 6 pressures, set-up included, ms"
 set ylabel "mean error, %"
