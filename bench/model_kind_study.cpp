@@ -2,8 +2,6 @@
 // Error of each kind of model against its processor time: six pressures of two twisting lattices,
 // against a finite-element mesh of 19 838 unknowns (tests/golden/fe_cell_twist.csv).
 //   model_kinds  for the page and its plot
-#include <algorithm>
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -28,24 +26,9 @@ ModelChoice choice(WallKind wall, Calibrate calibrate = Calibrate::nothing) {
   return model;
 }
 
-/// Percent by which values are off, whatever the sign.
-struct Deviation {
-  double sum = 0;
-  double worst = 0;
-  int count = 0;
-
-  void add(double value, double truth) {
-    const double percent = 100 * std::abs(value / truth - 1);
-    sum += percent;
-    worst = std::max(worst, percent);
-    ++count;
-  }
-  double mean() const { return sum / count; }
-};
-
 std::vector<Cell> row_of(const Kind& kind) {
-  Deviation stretch;
-  Deviation twist;
+  testing::Deviation stretch;
+  testing::Deviation twist;
   double preparing = 0;
   double solving = 0;
   const std::vector<double> angles = {36, 60};

@@ -2,6 +2,8 @@
 // The finite-element cell of 19 838 unknowns of twisting lattices (docs/unit-cell.md#accuracy).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -32,5 +34,20 @@ inline std::vector<CellRow> finite_element_rows(double angle_deg) {
   if (rows.empty()) throw std::runtime_error("the finite-element cell cannot be read");
   return rows;
 }
+
+/// How far values are off, in percent, whatever the sign.
+struct Deviation {
+  double sum = 0;
+  double worst = 0;
+  int count = 0;
+
+  void add(double value, double truth) {
+    const double percent = 100 * std::abs(value / truth - 1);
+    sum += percent;
+    worst = std::max(worst, percent);
+    ++count;
+  }
+  double mean() const { return sum / count; }
+};
 
 }  // namespace latticast::testing
