@@ -3,6 +3,7 @@
 // steps.
 #include "export/deck/deck.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -160,6 +161,50 @@ TEST(InpDeck, HoldsMeshSetsAndASteppedLoad) {
     std::string line;
     std::getline(lines, line);
     EXPECT_LE(line.size(), 132U) << line;
+  }
+}
+
+TEST(InpDeck, TiesAreKeptByImagesOnly) {
+  const WedgeMesh mesh = mesh_of(36, false);
+  std::map<int, int> near_of;
+  for (const auto& [near, far] : mesh.ties) near_of[far + 1] = near + 1;
+  const double c = std::cos(2 * pi / 8);
+  const double s = std::sin(2 * pi / 8);
+  const Point near_moves = {0.3, -0.2, 0.7};
+  const Point far_moves = {c * near_moves[0] - s * near_moves[1],
+                           s * near_moves[0] + c * near_moves[1], near_moves[2]};
+  std::string deck = inp_deck(mesh, job_of(NeoHookean{0.08}));
+  std::replace(deck.begin(), deck.end(), ',', ' ');
+  std::istringstream file(deck);
+  int equations = 0;
+  for (std::string line; std::getline(file, line);) {
+    if (line != "*EQUATION") continue;
+    int terms = 0, far = 0;
+    file >> terms;
+    double sum = 0;
+    for (int i = 0; i < terms; ++i) {
+      int node = 0, component = 0;
+      double factor = 0;
+      file >> node >> component >> factor;
+      if (i == 0) far = node;
+      if (i > 0) {
+        EXPECT_EQ(node, near_of.at(far));
+      }
+      sum += factor * (i == 0 ? far_moves : near_moves)[component - 1];
+    }
+    EXPECT_NEAR(sum, 0, 1e-14);
+    ++equations;
+  }
+  EXPECT_GT(equations, 300);
+}
+
+TEST(InpDeck, PullsTheTipAsAClosedEndDoes) {
+  // P pi R_i^2 of the tube, an eighth of it on a sector.
+  for (const bool whole : {false, true}) {
+    const std::string deck = inp_deck(mesh_of(36, whole), job_of(NeoHookean{0.08}));
+    const std::string before = "TIP_REFERENCE, 3, ";
+    const double force = std::stod(deck.substr(deck.find(before) + before.size()));
+    EXPECT_NEAR(force, 0.01 * pi * 144 / (whole ? 1 : 8), 1e-12);
   }
 }
 
