@@ -119,13 +119,15 @@ void hand_over(const CalibratedSolver& solver, std::span<const double> pressures
   for (std::size_t i = 0; i < beyond.size(); ++i) response.states[beyond[i]] = cell.states[i];
 
   // A section that fails further on is not believed beyond the last pressure where it has a state.
-  double trusted = 0;
+  double lowest = 0;
+  double highest = 0;
   for (std::size_t i = 0; i < pressures_kpa.size(); ++i) {
-    const bool handed = std::binary_search(beyond.begin(), beyond.end(), i);
-    if (!handed) trusted = std::max(trusted, std::abs(pressures_kpa[i]));
+    if (std::binary_search(beyond.begin(), beyond.end(), i)) continue;
+    lowest = std::min(lowest, pressures_kpa[i]);
+    highest = std::max(highest, pressures_kpa[i]);
   }
-  const auto is_beyond = [trusted](const AngleExtremum& point) {
-    return std::abs(point.pressure_kpa) > trusted;
+  const auto is_beyond = [lowest, highest](const AngleExtremum& point) {
+    return point.pressure_kpa < lowest || point.pressure_kpa > highest;
   };
   std::erase_if(response.angle_extrema, is_beyond);
   std::copy_if(cell.angle_extrema.begin(), cell.angle_extrema.end(),
