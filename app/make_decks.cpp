@@ -21,9 +21,8 @@ constexpr StripDivision division = {
 StripTube tube_of(const Design& design, std::size_t s) {
   const FoundStrips found = find_strips(design.segments[s]);
   if (!found.tube) {
-    throw UnsupportedDesign(fmt::format(
-        "segment {} has no deck, whose mesh is the unit cell's: {}; leave make.deck out", s + 1,
-        found.reason));
+    throw UnsupportedDesign(
+        fmt::format("segment {} has no deck: a deck {}; leave make.deck out", s + 1, found.reason));
   }
   const std::string law = law_without_deck(found.tube->liner);
   if (design.make.deck->inp && !law.empty()) {

@@ -8,6 +8,7 @@
 #include "model/cell/unit_cell.h"
 #include "model/section/calibration.h"
 #include "model/section/section_reading.h"
+#include "model/section/section_symmetry.h"
 #include "model/strand/links.h"
 
 namespace latticast {
@@ -16,7 +17,8 @@ namespace {
 std::shared_ptr<const UnitCell> needed_cell(const Segment& segment) {
   FoundCell found = find_unit_cell(segment);
   if (found.cell) return found.cell;
-  throw UnsupportedDesign(found.reason + "; kind = \"layered\" predicts this segment without one");
+  throw UnsupportedDesign("the unit cell " + found.reason +
+                          "; kind = \"layered\" predicts this segment without one");
 }
 
 bool is_flat(const Section& section) {
@@ -32,6 +34,15 @@ std::string calibrate(const UnitCell& cell, Section& section) {
   if (!calibration) return "the unit cell's meshes are too coarse for so slender a lattice";
   section.calibration = std::make_shared<const Calibration>(*calibration);
   return {};
+}
+
+/// The section that leads to a drawn cell's states, with the cell's symmetry in place of its own.
+Section leading_section(const Segment& segment, ModelChoice model, const UnitCell& cell,
+                        const StrandLaws& known) {
+  model.wall = WallKind::layered;
+  Section section = prepare_section(segment, model, known);
+  adopt_symmetry(cell.twists, cell.bends, section);
+  return section;
 }
 
 /// A section that the cell has calibrated tells nearly where the cell's next state is.
@@ -65,9 +76,9 @@ std::string calibration_doubt(const Segment& segment) {
 
 void calibrate(const Segment& segment, Calibrate what, PreparedSegment& prepared) {
   if (what == Calibrate::nothing) return;
-  FoundCell found = find_unit_cell(segment);
-  prepared.not_calibrated =
-      found.cell ? calibrate(*found.cell, std::get<Section>(prepared.section)) : found.reason;
+  FoundCell found = find_strip_cell(segment);
+  prepared.not_calibrated = found.cell ? calibrate(*found.cell, std::get<Section>(prepared.section))
+                                       : "calibration " + found.reason;
   if (!prepared.not_calibrated.empty()) return;
   prepared.cell = std::move(found.cell);
   prepared.calibrate = what;
@@ -85,6 +96,10 @@ PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model
     return prepared;
   }
   if (model.wall == WallKind::unit_cell) prepared.cell = needed_cell(segment);
+  if (prepared.cell && prepared.cell->kind == UnitCellKind::drawn) {
+    prepared.section = leading_section(segment, model, *prepared.cell, known);
+    return prepared;
+  }
   prepared.section = prepare_section(segment, model, known);
   if (prepared.cell) follow_cell(*prepared.cell, std::get<Section>(prepared.section));
   if (model.wall == WallKind::bonded) calibrate(segment, model.calibrate, prepared);

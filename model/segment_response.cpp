@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "model/calibrated_response.h"
+#include "model/cell/unit_cell.h"
 #include "model/effective_rods/rods_response.h"
 #include "model/equilibrium/branch_text.h"
 #include "model/section_response.h"
@@ -28,6 +29,9 @@ Response predict(const PreparedSegment& segment, std::span<const double> pressur
   }
   const SectionPath path{std::get<Section>(segment.section), segment.cell.get(), segment.length_mm};
   Response response = section_response(path, pressures_kpa, held, options);
+  if (segment.cell && !segment.cell->assumed.empty()) {
+    add_sentence(response.message, segment.cell->assumed);
+  }
   if (!segment.not_calibrated.empty()) {
     add_sentence(response.message, "not calibrated: " + segment.not_calibrated);
   }

@@ -46,32 +46,62 @@ class CellAssembly {
   const CellMesh& mesh() const { return mesh_; }
 
  private:
-  /// Where an element's components stand among the unknowns, and their pairs in the matrix: upper
+  /// Where the components of N nodes stand among the unknowns, and their pairs in the matrix: upper
   /// triangle, row after row, -1 for none.
   template <std::size_t N>
   struct Scatter {
-    std::array<std::int32_t, N> unknown{};
-    std::array<double, N> sign{};
+    std::array<std::int32_t, 3 * N> unknown{};
+    std::array<double, 3 * N> sign{};
     std::vector<std::int32_t> place;
   };
 
-  template <std::size_t N, class Nodes>
-  Scatter<N> scatter_of(const Nodes& nodes) const;
+  /// All elements of one kind, and how their pressures depend on their components.
+  template <std::size_t N>
+  struct Elements {
+    std::vector<Scatter<N>> scatters;
+    std::vector<std::array<double, std::size_t{4} * ElementEnergy<N>::size>> pressure_by;
+  };
+
+  using Entries = std::vector<std::pair<int, int>>;
+  template <std::size_t N>
+  Scatter<N> scatter_of(const std::array<std::int32_t, N>& nodes) const;
+  template <std::size_t N>
+  void add_elements(const std::vector<CellElement<N>>& from, Elements<N>& to,
+                    Entries& entries) const;
   template <std::size_t N>
   void find_places(Scatter<N>& scatter) const;
   template <std::size_t N>
   static auto components(const Scatter<N>& scatter, std::span<const double> unknowns);
   template <std::size_t N, class Part>
   void add(const Scatter<N>& scatter, const Part& part, double factor, AssembledCell& result);
+  template <std::size_t N>
+  bool add_energies(const std::vector<CellElement<N>>& elements, std::span<const double> unknowns,
+                    const TubeStrain& strain, std::span<const ElementPressure> held,
+                    std::size_t first, Elements<N>& kept, AssembledCell& result);
+  template <std::size_t N>
+  void add_cavity(const std::vector<BoreFace<N>>& faces, const std::vector<Scatter<N>>& scatters,
+                  std::span<const double> unknowns, const TubeStrain& strain, double pressure_mpa,
+                  AssembledCell& result);
+  template <std::size_t N>
+  static void add_steps(const Elements<N>& elements, std::span<const double> step,
+                        std::size_t first, std::vector<ElementPressure>& pressures);
+  void add_springs(std::span<const double> unknowns, AssembledCell& result);
+  void make_springs(Entries& entries);
   SparseSolver make_matrix();
 
+  /// A linear form of the unknowns that a stiff spring keeps at zero.
+  struct Spring {
+    std::vector<std::pair<std::int32_t, double>> terms;
+    double stiffness = 0;
+  };
+
   CellMesh mesh_;
-  std::vector<Scatter<81>> elements_;
-  std::vector<Scatter<27>> bore_;
+  Elements<27> hexahedra_;
+  Elements<21> wedges_;
+  std::vector<Scatter<9>> quadrilaterals_;
+  std::vector<Scatter<7>> triangles_;
+  std::vector<Spring> springs_;
   SparseSolver matrix_;
-  ElementEnergy element_;
-  std::vector<std::array<double, std::size_t{4} * ElementEnergy::size>> pressure_by_;
-  CavityPart cavity_;
 };
 
 }  // namespace latticast

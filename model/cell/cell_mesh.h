@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -32,18 +33,35 @@ struct CellMaterial {
   double bulk_modulus_mpa = 0;
 };
 
+template <std::size_t N>
 struct CellElement {
-  std::array<std::int32_t, 27> nodes{};  ///< see hexahedron()
+  std::array<std::int32_t, N> nodes{};
   std::int32_t material = 0;
+};
+using CellHexahedron = CellElement<27>;  ///< see hexahedron()
+using CellWedge = CellElement<21>;       ///< see wedge()
+
+/// Part of the bore's surface.
+template <std::size_t N>
+using BoreFace = std::array<std::int32_t, N>;
+using BoreQuadrilateral = BoreFace<9>;  ///< first axis around the tube with the angle, second along
+using BoreTriangle = BoreFace<7>;       ///< counter-clockwise seen from outside the tube
+
+struct WeightedNode {
+  std::int32_t node = 0;
+  double weight = 0;  ///< in a mean
 };
 
 struct CellMesh {
   std::vector<CellNode> nodes;
-  std::vector<CellElement> elements;
-  /// Faces of the bore, see quadrilateral(); their first axis runs around the tube with the angle,
-  /// the second along it.
-  std::vector<std::array<std::int32_t, 9>> bore;
+  std::vector<CellHexahedron> hexahedra;
+  std::vector<CellWedge> wedges;
+  std::vector<BoreQuadrilateral> bore_quadrilaterals;
+  std::vector<BoreTriangle> bore_triangles;
   std::vector<CellMaterial> materials;
+  /// Nodes all around the bore whose mean displacement across the tube, and mean turn about it, are
+  /// kept at zero: that is where the tube's axis is, when no symmetry says so.
+  std::vector<WeightedNode> centred;
   int unknowns = 0;
   double inner_radius_mm = 0;
   double per_mm = 1;  ///< cells in a mm of the tube's length, all around

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -29,14 +30,16 @@ constexpr std::size_t coordinates = 5;
 using Coordinates = std::array<double, coordinates>;
 constexpr std::size_t bore = 4;
 
-/// Numbers of a Deformation's coordinates in this order.
+/// Numbers of a Deformation's coordinates in this order, and their signs: lambda + kappa . r has
+/// kappa = (-Omega_2, Omega_1).
 constexpr std::array<std::size_t, coordinates> place_of = {
-    coordinate::elongation, coordinate::twist, coordinate::bend_1, coordinate::bend_2,
+    coordinate::elongation, coordinate::twist, coordinate::bend_2, coordinate::bend_1,
     coordinate::inner_growth};
+constexpr Coordinates sign_of = {1, 1, 1, -1, 1};
 
 using Vector = std::vector<double>;
 
-double product(const Vector& a, const Vector& b) {
+double product(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
@@ -81,6 +84,7 @@ struct CondensedCell::Solver {
   CellAssembly assembly;
   double passing_correction;
   AssembledCell cell;
+  Vector columns;
   double rest_volume_mm3 = 1;
   CellState here;
   std::optional<CellState> before;  // some way back on the path
@@ -123,17 +127,17 @@ struct CondensedCell::Solver {
     ++factorisations;
     if (!matrix.factor()) return false;
     const AskedVolume asked = asked_volume(q);
-    Vector step = cell.residual;
-    matrix.solve(step);
-    Vector pushed = cell.volume_slope;
-    matrix.solve(pushed);
+    solve_columns();
+    const std::size_t n = cell.residual.size();
+    const auto pushed = std::span<const double>(columns).subspan(n, n);
     const double yielding = product(cell.volume_slope, pushed);
     // Of the nodes' energy at the volume asked for.
     inner_negative = matrix.negative_pivots() - (yielding > 0 ? 0 : 1);
     const double missing = asked.value - cell.volume_mm3;
+    Vector step(columns.begin(), columns.begin() + static_cast<std::ptrdiff_t>(n));
     const double pressure_step = (missing + product(cell.volume_slope, step)) / yielding;
     state.correction = 0;
-    for (std::size_t i = 0; i < step.size(); ++i) {
+    for (std::size_t i = 0; i < n; ++i) {
       step[i] = pressure_step * pushed[i] - step[i];
       state.correction = std::max(state.correction, std::abs(step[i]) / radius());
     }
@@ -143,15 +147,14 @@ struct CondensedCell::Solver {
     for (std::size_t j = 0; j < coordinates; ++j) {
       Vector& slope = state.slopes[j];
       double needed = direct[j];
+      slope.assign(n, 0);
       if (j < tube_strains) {
-        slope = cell.mixed[j];
-        matrix.solve(slope);
+        const auto mixed = std::span<const double>(columns).subspan((2 + j) * n, n);
+        slope.assign(mixed.begin(), mixed.end());
         needed += product(cell.volume_slope, slope);
-      } else {
-        slope.assign(slope.size(), 0);
       }
       state.pressure_slopes[j] = needed / yielding;
-      for (std::size_t i = 0; i < slope.size(); ++i) {
+      for (std::size_t i = 0; i < n; ++i) {
         slope[i] = state.pressure_slopes[j] * pushed[i] - slope[i];
       }
     }
@@ -160,6 +163,17 @@ struct CondensedCell::Solver {
     state.element_pressures = assembly.pressures_after(step, cell);
     state.pressure_mpa += pressure_step;
     return std::isfinite(state.correction);
+  }
+
+  /// What the residual, the volume's slope and the tube's strains do to the nodes, one after the
+  /// other.
+  void solve_columns() {
+    columns.clear();
+    columns.insert(columns.end(), cell.residual.begin(), cell.residual.end());
+    columns.insert(columns.end(), cell.volume_slope.begin(), cell.volume_slope.end());
+    for (const Vector& mixed : cell.mixed)
+      columns.insert(columns.end(), mixed.begin(), mixed.end());
+    assembly.matrix().solve(columns);
   }
 
   void condense(CellState& state, const AskedVolume& asked, const Vector& step,
@@ -171,14 +185,14 @@ struct CondensedCell::Solver {
     for (std::size_t i = 0; i < coordinates; ++i) {
       double slope = p * asked.slope[i] + direct[i] * pressure_step;
       if (i < tube_strains) slope += cell.by_strain[i] + product(cell.mixed[i], step);
-      energy.gradient[place_of[i]] = per_mm * slope;
+      energy.gradient[place_of[i]] = sign_of[i] * per_mm * slope;
       for (std::size_t j = i; j < coordinates; ++j) {
         double second = direct[i] * state.pressure_slopes[j];
         if (j < tube_strains) second += cell.strain_curvature[i * tube_strains + j];
         if (i < tube_strains) second += product(cell.mixed[i], state.slopes[j]);
         if (j == bore && i == 0) second += p * asked.by_bore_and_stretch;
         if (j == bore && i == bore) second += p * asked.by_bore_twice;
-        energy.set_second(place_of[i], place_of[j], per_mm * second);
+        energy.set_second(place_of[i], place_of[j], sign_of[i] * sign_of[j] * per_mm * second);
       }
     }
   }
@@ -282,12 +296,12 @@ struct CondensedCell::Solver {
   SectionEnergy beside(const Coordinates& q) const {
     SectionEnergy energy = here.energy;
     for (std::size_t i = 0; i < coordinates; ++i) {
-      const double by = q[i] - here.at[i];
+      const double by = sign_of[i] * (q[i] - here.at[i]);
       energy.value += by * here.energy.gradient[place_of[i]];
       for (std::size_t j = 0; j < coordinates; ++j) {
         const double slope = by * here.energy.second(place_of[i], place_of[j]);
         energy.gradient[place_of[j]] += slope;
-        energy.value += 0.5 * slope * (q[j] - here.at[j]);
+        energy.value += 0.5 * slope * sign_of[j] * (q[j] - here.at[j]);
       }
     }
     return energy;
@@ -312,8 +326,8 @@ CondensedCell::CondensedCell(CondensedCell&&) noexcept = default;
 CondensedCell& CondensedCell::operator=(CondensedCell&&) noexcept = default;
 
 std::optional<SectionEnergy> CondensedCell::at(const Deformation& deformation) {
-  return solver_->at({deformation.elongation, deformation.twist, deformation.bend_1,
-                      deformation.bend_2, deformation.inner_growth});
+  return solver_->at({deformation.elongation, deformation.twist, deformation.bend_2,
+                      -deformation.bend_1, deformation.inner_growth});
 }
 
 int CondensedCell::factorisations() const {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Energy of one finite element in the moving frame of a section, with gradient and Hessian by its
 // nodes and by the tube's coordinates: quadratic displacement, discontinuous linear pressure
-// condensed in the element (Q2/P-1, [Bathe 2014] 4.5).
+// condensed in the element (Q2/P-1 and its wedge, [Bathe 2014] 4.5).
 #pragma once
 
 #include <array>
-#include <span>
+#include <cstddef>
 #include <vector>
 
 #include "model/cell/cell_mesh.h"
@@ -22,10 +22,11 @@ inline constexpr int tube_strains = 4;
 /// Pressure in an element, by 1, xi, eta and zeta: MPa.
 using ElementPressure = std::array<double, 4>;
 
-/// By an element's 27 x 3 components, node after node, then the tube's strains; the Hessian's rows
-/// one after the other, upper triangle only.
+/// Of an element with N nodes, by its N x 3 components, node after node, then the tube's strains;
+/// the Hessian's rows one after the other, upper triangle only.
+template <std::size_t N>
 struct ElementEnergy {
-  static constexpr int size = 27 * 3 + tube_strains;
+  static constexpr int size = N * 3 + tube_strains;
   double energy = 0;  ///< N mm
   std::array<double, size> gradient{};
   std::array<double, std::size_t{size} * size> hessian{};
@@ -37,22 +38,26 @@ struct ElementEnergy {
 /// inside out or a law's limit is reached. With a pressure `held`, the curvature of the volume
 /// ratio is weighed by that in place of the element's own: as Newton's method has it where
 /// pressures are unknowns, which converges from much further away when the bulk modulus is high.
-bool evaluate(const CellMesh& mesh, const CellElement& element,
-              std::span<const std::array<double, 3>, 27> displacement, const TubeStrain& strain,
-              const ElementPressure* held, ElementEnergy& result);
+/// N: 27 or 21.
+template <std::size_t N>
+bool evaluate(const CellMesh& mesh, const CellElement<N>& element,
+              const std::array<std::array<double, 3>, N>& displacement, const TubeStrain& strain,
+              const ElementPressure* held, ElementEnergy<N>& result);
 
 /// Volume that a bore face encloses with the tube's axis, over the cell's own length, exact for any
 /// twist and bending:
 ///     integral of det[y, D_s y, D_Z y]/3 + lambda det[y, y_s, e3]/2 ds dZ,  D = d + Omega x,
-/// with gradient and Hessian by its 9 x 3 components, then the tube's strains.
+/// with gradient and Hessian by its N x 3 components, then the tube's strains. N: 9 or 7.
+template <std::size_t N>
 struct CavityPart {
-  static constexpr int size = 9 * 3 + tube_strains;
+  static constexpr int size = N * 3 + tube_strains;
   double volume_mm3 = 0;
   std::array<double, size> gradient{};
   std::array<double, std::size_t{size} * size> hessian{};  ///< upper triangle
 };
-void evaluate(const CellMesh& mesh, const std::array<std::int32_t, 9>& face,
-              std::span<const std::array<double, 3>, 9> displacement, const TubeStrain& strain,
-              CavityPart& result);
+template <std::size_t N>
+void evaluate(const CellMesh& mesh, const BoreFace<N>& face,
+              const std::array<std::array<double, 3>, N>& displacement, const TubeStrain& strain,
+              CavityPart<N>& result);
 
 }  // namespace latticast

@@ -6,11 +6,30 @@
 
 #include <Eigen/SparseCholesky>
 
+#include "model/cell/supernodal_cholesky.h"
+
 namespace latticast {
+
+namespace {
+
+// Rows from which a supernodal factorisation is the faster one, docs/unit-cell.md#run-time.
+constexpr int supernodal_rows = 1500;
+
+}  // namespace
 
 struct SparseSolver::Factor {
   Eigen::SparseMatrix<double> matrix;
+  std::unique_ptr<SupernodalCholesky> supernodal;  // of large matrices, while they are definite
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> ldlt;
+  bool is_analysed = false;
+  bool is_supernodal = false;  // what was factored last
+
+  bool factor_by_ldlt() {
+    if (!is_analysed) ldlt.analyzePattern(matrix);
+    is_analysed = true;
+    ldlt.factorize(matrix);
+    return ldlt.info() == Eigen::Success && ldlt.vectorD().allFinite();
+  }
 };
 
 SparseSolver::SparseSolver(int size, const std::vector<std::pair<int, int>>& entries)
@@ -22,7 +41,13 @@ SparseSolver::SparseSolver(int size, const std::vector<std::pair<int, int>>& ent
   factor_->matrix.resize(size, size);
   factor_->matrix.setFromTriplets(triplets.begin(), triplets.end());
   factor_->matrix.makeCompressed();
-  factor_->ldlt.analyzePattern(factor_->matrix);
+  const Eigen::SparseMatrix<double>& matrix = factor_->matrix;
+  if (size < supernodal_rows) return;
+  const auto columns = static_cast<std::size_t>(size);
+  const auto count = static_cast<std::size_t>(matrix.nonZeros());
+  factor_->supernodal = SupernodalCholesky::make({.starts = {matrix.outerIndexPtr(), columns + 1},
+                                                  .rows = {matrix.innerIndexPtr(), count},
+                                                  .values = {matrix.valuePtr(), count}});
 }
 
 SparseSolver::~SparseSolver() = default;
@@ -41,20 +66,22 @@ std::span<double> SparseSolver::values() {
 }
 
 bool SparseSolver::factor() {
-  factor_->ldlt.factorize(factor_->matrix);
-  if (factor_->ldlt.info() != Eigen::Success) return false;
-  const auto& pivots = factor_->ldlt.vectorD();
-  return pivots.allFinite();
+  factor_->is_supernodal = factor_->supernodal && factor_->supernodal->factor();
+  return factor_->is_supernodal || factor_->factor_by_ldlt();
 }
 
 int SparseSolver::negative_pivots() const {
+  if (factor_->is_supernodal) return 0;
   return static_cast<int>((factor_->ldlt.vectorD().array() < 0).count());
 }
 
 void SparseSolver::solve(std::span<double> right) const {
-  Eigen::Map<Eigen::VectorXd> vector(right.data(), static_cast<Eigen::Index>(right.size()));
-  const Eigen::VectorXd solution = factor_->ldlt.solve(vector);
-  vector = solution;
+  if (factor_->is_supernodal) return factor_->supernodal->solve(right);
+  const Eigen::Index rows = factor_->matrix.rows();
+  Eigen::Map<Eigen::MatrixXd> columns(right.data(), rows,
+                                      static_cast<Eigen::Index>(right.size()) / rows);
+  const Eigen::MatrixXd solution = factor_->ldlt.solve(columns);
+  columns = solution;
 }
 
 }  // namespace latticast

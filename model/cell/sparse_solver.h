@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sparse symmetric systems: LDL^T without pivoting in an order of least fill ([Davis 2005], by
-// Eigen). The pattern is looked at once; matrices follow one another in it.
+// Eigen), supernodal L L^T of large ones that are positive definite. The pattern is looked at once;
+// matrices follow one another in it.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +29,7 @@ class SparseSolver {
   bool factor();
   /// Of the matrix that was factored last: as many as its negative eigenvalues.
   int negative_pivots() const;
-  /// `right` becomes the solution.
+  /// `right`, one or more columns one after the other, becomes the solution.
   void solve(std::span<double> right) const;
 
  private:

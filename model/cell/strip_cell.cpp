@@ -6,6 +6,7 @@
 #include <map>
 
 #include "design/units.h"
+#include "model/cell/cell_materials.h"
 #include "model/cell/strip_grid.h"
 
 namespace latticast {
@@ -70,31 +71,18 @@ class StripCellBuilder {
         for (std::size_t i = 0; 2 * i + 2 < grid_.t_rad.size(); ++i) add_element(i, j, k);
       }
     }
-    mesh_.materials = {{tube_.liner, bulk_by_shear * rest_shear_modulus_mpa(tube_.liner)},
-                       {strand_law(), strand_bulk_mpa()}};
+    mesh_.materials = cell_materials(tube_.liner, tube_.lattice);
     mesh_.inner_radius_mm = tube_.inner_radius_mm;
     mesh_.per_mm = (whole_ ? 1 : 2) * tube_.strips / tube_.pitch_mm;
     return std::move(mesh_);
   }
 
  private:
-  // Of the liner, against its shear modulus: nu 0.4995, of which stiffness depends by 2e-4.
-  static constexpr double bulk_by_shear = 1000;
-  static constexpr double most_poisson_ratio = 0.4995;
-
-  double poisson_ratio() const { return std::min(tube_.lattice.poisson_ratio, most_poisson_ratio); }
-  NeoHookean strand_law() const {
-    return {tube_.lattice.youngs_modulus_mpa / (2 * (1 + poisson_ratio()))};
-  }
-  double strand_bulk_mpa() const {
-    return tube_.lattice.youngs_modulus_mpa / (3 * (1 - 2 * poisson_ratio()));
-  }
-
   void add_element(std::size_t i, std::size_t j, std::size_t k) {
     const bool in_liner = static_cast<int>(k) < grid_.liner;
     if (!in_liner && grid_.strip[i] == 0 && grid_.ring[j] == 0) return;
-    CellElement element;
-    element.material = in_liner ? 0 : 1;
+    CellHexahedron element;
+    element.material = in_liner ? cell_liner : cell_lattice;
     std::size_t place = 0;
     for (std::size_t c = 0; c < 3; ++c) {
       for (std::size_t b = 0; b < 3; ++b) {
@@ -103,11 +91,11 @@ class StripCellBuilder {
         }
       }
     }
-    mesh_.elements.push_back(element);
+    mesh_.hexahedra.push_back(element);
     if (k > 0) return;
     std::array<std::int32_t, 9> face{};
     std::copy_n(element.nodes.begin(), 9, face.begin());
-    mesh_.bore.push_back(face);
+    mesh_.bore_quadrilaterals.push_back(face);
   }
 
   /// Numbers of a node on the grid; the one at its far side in t is the near side's image.

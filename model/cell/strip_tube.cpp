@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "geometry/pattern/rings.h"
+#include "model/cell/cell_materials.h"
 
 namespace latticast {
 namespace {
@@ -13,7 +14,7 @@ struct NoCell {
 };
 
 [[noreturn]] void refuse(const std::string& reason) {
-  throw NoCell{"the unit cell " + reason};
+  throw NoCell{reason};
 }
 
 const Grid& only_family(const Lattice& lattice) {
@@ -23,7 +24,6 @@ const Grid& only_family(const Lattice& lattice) {
     if (only != nullptr) refuse("knows lattices of one family of strands, this one has more");
     only = &grid;
   }
-  if (only == nullptr) refuse("knows lattices with strands, this one has none");
   if (only->count() == 1) refuse("knows strips in twos or more, a single one bends the tube");
   if (is_curved(only->path)) refuse("knows straight strands, these are curved");
   const auto [thin, wide] = std::minmax_element(only->widths_mm.begin(), only->widths_mm.end());
@@ -32,13 +32,9 @@ const Grid& only_family(const Lattice& lattice) {
 }
 
 StripTube strip_tube(const Segment& segment) {
-  if (!segment.lattice) refuse("is that of a lattice, and there is none");
+  const std::string problem = parts_problem(segment);
+  if (!problem.empty()) refuse(problem);
   const Lattice& lattice = *segment.lattice;
-  const auto* linear = std::get_if<Linear>(&lattice.material.law);
-  if (linear == nullptr) refuse("knows strands of a linear material (E, nu), this one is a rubber");
-  if (std::holds_alternative<Linear>(segment.liner.material.law)) {
-    refuse("needs a liner of rubber, this one is linear");
-  }
   const Grid& grid = only_family(lattice);
   StripTube tube{.inner_radius_mm = segment.inner_radius_mm(),
                  .liner_outer_radius_mm = segment.liner_outer_radius_mm(),
@@ -49,7 +45,7 @@ StripTube strip_tube(const Segment& segment) {
                  .pitch_mm = segment.lattice_circumference_mm() / grid.count(),
                  .ring_width_mm = 0,
                  .liner = segment.liner.material.law,
-                 .lattice = *linear};
+                 .lattice = std::get<Linear>(lattice.material.law)};
   if (lattice.rings && !ring_centres_mm(*lattice.rings, segment.length_mm).empty()) {
     tube.pitch_mm = ring_pitch_mm(*lattice.rings, segment.length_mm);
     tube.ring_width_mm = lattice.rings->width_mm;

@@ -27,7 +27,7 @@ struct StripTube {
 /// A segment's tube of strips, or why it is none.
 struct FoundStrips {
   std::optional<StripTube> tube;
-  std::string reason;  ///< "the unit cell knows straight strands, these are curved"
+  std::string reason;  ///< "knows straight strands, these are curved"
 };
 
 /// Strips and rings must leave gaps; a segment without rings is one ring pitch of any length.

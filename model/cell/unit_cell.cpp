@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "model/cell/cell_materials.h"
+#include "model/cell/drawn_cell.h"
 #include "model/cell/strip_cell.h"
 
 namespace latticast {
@@ -15,19 +17,31 @@ constexpr StripDivision fine_division = {
 
 // The fine mesh's error over the difference of both, docs/unit-cell.md#extrapolation.
 constexpr double extrapolation = 0.75;
-constexpr double doubtful_share = 0.25;
+// Of the difference between both meshes, by its extrapolation.
+constexpr double doubtful_share = 1.0 / 3;
 
 }  // namespace
 
-FoundCell find_unit_cell(const Segment& segment) {
+FoundCell find_strip_cell(const Segment& segment) {
   FoundStrips found = find_strips(segment);
   if (!found.tube) return {nullptr, std::move(found.reason)};
-  return {std::make_shared<const UnitCell>(UnitCell{strip_cell(*found.tube, coarse_division),
-                                                    strip_cell(*found.tube, fine_division)}),
-          {}};
+  return {
+      std::make_shared<const UnitCell>(UnitCell{.coarse = strip_cell(*found.tube, coarse_division),
+                                                .fine = strip_cell(*found.tube, fine_division),
+                                                .extrapolation = extrapolation,
+                                                .assumed = {}}),
+      {}};
 }
 
-UnitCellEnergy::UnitCellEnergy(const UnitCell& cell) : coarse_(cell.coarse), fine_(cell.fine) {}
+FoundCell find_unit_cell(const Segment& segment) {
+  std::string problem = parts_problem(segment);
+  if (!problem.empty()) return {nullptr, std::move(problem)};
+  FoundCell strips = find_strip_cell(segment);
+  return strips.cell ? strips : find_drawn_cell(segment);
+}
+
+UnitCellEnergy::UnitCellEnergy(const UnitCell& cell)
+    : coarse_(cell.coarse), fine_(cell.fine), extrapolation_(cell.extrapolation) {}
 
 std::optional<ExtrapolatedEnergy> UnitCellEnergy::at(const Deformation& deformation) {
   const auto fine = fine_.at(deformation);
@@ -37,7 +51,7 @@ std::optional<ExtrapolatedEnergy> UnitCellEnergy::at(const Deformation& deformat
   if (!coarse || buckled_) return std::nullopt;
   SectionEnergy change = *fine;
   change -= *coarse;
-  change *= extrapolation;
+  change *= extrapolation_;
   ExtrapolatedEnergy result{*fine, change};
   result.energy += change;
   result.doubt *= -doubtful_share;

@@ -13,21 +13,34 @@
 
 namespace latticast {
 
+enum class UnitCellKind {
+  strips,  ///< of one even family of strips: hexahedra that follow them
+  drawn    ///< of what the plane shows: wedges
+};
+
 /// Immutable, like everything that prediction shares.
 struct UnitCell {
   CellMesh coarse;
   CellMesh fine;
+  double extrapolation = 0;  ///< of the energy, by what it differs between both
+  UnitCellKind kind = UnitCellKind::strips;
+  bool twists = true;   ///< false: k = 0 by symmetry
+  bool bends = false;   ///< false: kappa = 0 by symmetry
+  std::string assumed;  ///< what was changed to find a period; mostly empty
 };
 
 /// A segment's cell, or why there is none.
 struct FoundCell {
   std::shared_ptr<const UnitCell> cell;
-  std::string reason;  ///< "the unit cell knows straight strands, these are curved"
+  std::string reason;  ///< "needs a liner of rubber, this one is linear"
 };
 
 /// One even family of straight strips that leave gaps, with or without evenly pitched rings, has a
-/// cell.
+/// cell of its own; any other lattice that repeats along the tube has the cell that is drawn.
 FoundCell find_unit_cell(const Segment& segment);
+
+/// Only the cell of strips, whose natural strains calibration works with.
+FoundCell find_strip_cell(const Segment& segment);
 
 /// Extrapolated to elements of no size, and a quarter of what that changed: what errors are
 /// measured by.
@@ -51,6 +64,7 @@ class UnitCellEnergy {
  private:
   CondensedCell coarse_;
   CondensedCell fine_;
+  double extrapolation_;
   bool buckled_ = false;
 };
 

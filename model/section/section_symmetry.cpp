@@ -147,4 +147,19 @@ void settle_symmetry(const Segment& segment, const ModelChoice& model, Section& 
   }
 }
 
+void adopt_symmetry(bool twists, bool bends, Section& section) {
+  section.twists = twists;
+  section.bending_axes = bends ? 2 : 0;
+  const double cosine = std::cos(section.axis_rad);
+  const double sine = std::sin(section.axis_rad);
+  section.axis_rad = 0;
+  for (StrandFamily& family : section.families) {
+    for (StrandPlace& strand : family.strands) {
+      const double along = strand.cosine;
+      strand.cosine = cosine * along - sine * strand.sine;
+      strand.sine = sine * along + cosine * strand.sine;
+    }
+  }
+}
+
 }  // namespace latticast

@@ -13,4 +13,8 @@ namespace latticast {
 /// that wind at different rates.
 void settle_symmetry(const Segment& segment, const ModelChoice& model, Section& section);
 
+/// Gives a section whose frame does not turn another symmetry than its own, that of a more detailed
+/// model: its first axis points to Theta = 0 then, and it may bend any way or not at all.
+void adopt_symmetry(bool twists, bool bends, Section& section);
+
 }  // namespace latticast

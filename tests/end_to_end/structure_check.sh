@@ -31,7 +31,7 @@ model/horseshoe          design model/numerics model/law
 model/sinusoid           design model/numerics model/law
 model/strand             design geometry/pattern model/law model/horseshoe model/sinusoid
 model/section            design geometry/pattern model/numerics model/law model/strand
-model/cell               design geometry/mesh geometry/pattern model/numerics model/section
+model/cell               design geometry/mesh geometry/pattern geometry/solid model/numerics model/section
 model/equilibrium        numerics design model/numerics model/law model/strand model/section
 model/effective_rods     numerics design model/numerics model/law model/strand model/equilibrium
 model/shape              design geometry model/numerics model/law model/strand model/section model/equilibrium
@@ -60,6 +60,7 @@ owners='
 ^(gmp|gmpxx|mpfr)\.h geometry/solid molds
 ^(sundials|kinsol|cvodes|nvector|sunmatrix|sunlinsol|sunnonlinsol)/ model
 ^assimp/             tests
+^(cholmod|dlfcn)\.h   model
 ^png\.h              export
 ^(tiny_gltf|zip|expat)\.h export
 ^CLI/                app

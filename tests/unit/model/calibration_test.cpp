@@ -279,7 +279,7 @@ TEST(CalibratedSection, SaysWhyItIsNot) {
   const std::vector<double> pressures = {10};
   const Response pair = predict(paper_segment({36, 144}), bonded(Calibrate::stiffness), pressures);
   EXPECT_TRUE(pair.states[0]);
-  EXPECT_NE(pair.message.find("not calibrated: the unit cell knows lattices of one family"),
+  EXPECT_NE(pair.message.find("not calibrated: calibration knows lattices of one family"),
             std::string::npos);
   Segment single = twisting_segment(36);
   single.lattice->grids[0].widths_mm = {2};

@@ -7,57 +7,19 @@
 #include <gtest/gtest.h>
 
 #include "model/cell/element_energy.h"
-#include "tests/random_numbers.h"
 #include "tests/unit/model/cell/cell_meshes.h"
+#include "tests/unit/model/cell/derivatives.h"
 
 namespace latticast::testing {
 namespace {
 
-template <std::size_t N>
-using Components = std::array<std::array<double, 3>, N>;
-
-template <std::size_t N>
-Components<N> random_components(Random& random, double size) {
-  Components<N> u{};
-  for (auto& node : u) {
-    for (double& x : node) x = random.between(-size, size);
-  }
-  return u;
-}
-
-constexpr TubeStrain strain = {0.1, 0.01, 0.002, -0.003};
-
-template <std::size_t N, class Evaluate>
-void expect_derivatives(const Components<N>& u, const Evaluate& evaluated, double scale) {
-  using Part = std::decay_t<decltype(evaluated(u, strain))>;
-  constexpr int unknowns = 3 * N;
-  constexpr double step = 1e-5;
-  const Part at = evaluated(u, strain);
-  for (int k = 0; k < Part::size; ++k) {
-    Components<N> ahead = u;
-    Components<N> behind = u;
-    TubeStrain ahead_strain = strain;
-    TubeStrain behind_strain = strain;
-    (k < unknowns ? ahead[k / 3][k % 3] : ahead_strain[k - unknowns]) += step;
-    (k < unknowns ? behind[k / 3][k % 3] : behind_strain[k - unknowns]) -= step;
-    const Part a = evaluated(ahead, ahead_strain);
-    const Part b = evaluated(behind, behind_strain);
-    for (int i = 0; i <= k; ++i) {
-      const double expected = at.hessian[i * Part::size + k];
-      EXPECT_NEAR((a.gradient[i] - b.gradient[i]) / (2 * step), expected,
-                  1e-7 * (scale + std::abs(expected)))
-          << i << ' ' << k;
-    }
-  }
-}
-
 TEST(CellElement, HasItsDerivatives) {
   const CellMesh mesh = strip_cell(strips(36), small_division);
   Random random(4);
-  for (const std::size_t e : {std::size_t{0}, mesh.elements.size() - 1}) {
+  for (const std::size_t e : {std::size_t{0}, mesh.hexahedra.size() - 1}) {
     const auto evaluated = [&](const Components<27>& u, const TubeStrain& q) {
-      ElementEnergy result;
-      EXPECT_TRUE(evaluate(mesh, mesh.elements[e], u, q, nullptr, result));
+      ElementEnergy<27> result;
+      EXPECT_TRUE(evaluate(mesh, mesh.hexahedra[e], u, q, nullptr, result));
       return result;
     };
     expect_derivatives(random_components<27>(random, 0.1), evaluated, 10);
@@ -68,8 +30,8 @@ TEST(CellElement, CavityHasItsDerivatives) {
   const CellMesh mesh = strip_cell(strips(36), small_division);
   Random random(5);
   const auto evaluated = [&](const Components<9>& u, const TubeStrain& q) {
-    CavityPart result;
-    evaluate(mesh, mesh.bore[2], u, q, result);
+    CavityPart<9> result;
+    evaluate(mesh, mesh.bore_quadrilaterals[2], u, q, result);
     return result;
   };
   expect_derivatives(random_components<9>(random, 0.3), evaluated, 1);
@@ -86,8 +48,8 @@ TEST(CellElement, CavityOfARoundBoreIsItsCylinder) {
   for (int image = 0; image < 8; ++image) {
     CellMesh turned = mesh;
     for (CellNode& node : turned.nodes) node.angle_rad += image * pi / 4;
-    for (const auto& face : turned.bore) {
-      CavityPart part;
+    for (const auto& face : turned.bore_quadrilaterals) {
+      CavityPart<9> part;
       evaluate(turned, face, grown, {0.3, 0.02, 0.003, -0.002}, part);
       volume += part.volume_mm3;
     }
@@ -100,8 +62,8 @@ TEST(CellElement, CavityOfARoundBoreIsItsCylinder) {
 template <class Field>
 std::vector<std::array<double, 3>> node_forces(const CellMesh& mesh, const Field& field) {
   std::vector<std::array<double, 3>> forces(mesh.nodes.size());
-  ElementEnergy part;
-  for (const CellElement& element : mesh.elements) {
+  ElementEnergy<27> part;
+  for (const CellHexahedron& element : mesh.hexahedra) {
     Components<27> u{};
     for (std::size_t a = 0; a < 27; ++a) u[a] = field(mesh.nodes[element.nodes[a]]);
     EXPECT_TRUE(evaluate(mesh, element, u, {}, nullptr, part));
@@ -137,7 +99,7 @@ TEST(CellElement, PassesThePatchTest) {
     highest = std::max(highest, node.height_mm);
   }
   std::vector<int> owners(mesh.nodes.size());
-  for (const CellElement& element : mesh.elements) {
+  for (const CellHexahedron& element : mesh.hexahedra) {
     for (const std::int32_t node : element.nodes) ++owners[node];
   }
   const auto forces = node_forces(mesh, field);
@@ -163,12 +125,12 @@ TEST(CellElement, DoesNotKnowWhereAroundTheTubeItIs) {
   for (CellNode& node : turned.nodes) node.angle_rad += 0.7;
   Random random(6);
   const Components<27> u = random_components<27>(random, 0.1);
-  ElementEnergy here;
-  ElementEnergy there;
+  ElementEnergy<27> here;
+  ElementEnergy<27> there;
   const TubeStrain straight = {0.1, 0.01, 0, 0};
-  for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
-    ASSERT_TRUE(evaluate(mesh, mesh.elements[e], u, straight, nullptr, here));
-    ASSERT_TRUE(evaluate(turned, turned.elements[e], u, straight, nullptr, there));
+  for (std::size_t e = 0; e < mesh.hexahedra.size(); ++e) {
+    ASSERT_TRUE(evaluate(mesh, mesh.hexahedra[e], u, straight, nullptr, here));
+    ASSERT_TRUE(evaluate(turned, turned.hexahedra[e], u, straight, nullptr, there));
     EXPECT_NEAR(there.energy, here.energy, 1e-12 * here.energy);
     for (int i = 0; i < 83; ++i) {
       EXPECT_NEAR(there.gradient[i], here.gradient[i], 1e-10 * (1 + std::abs(here.gradient[i])));

@@ -284,19 +284,5 @@ TEST_P(UnderSuction, HoldsWellOrSaysWhyNot) {
 INSTANTIATE_TEST_SUITE_P(UnitCell, UnderSuction,
                          ::testing::Values(ThinTube{90, 1}, ThinTube{90, 1e6}, ThinTube{20, 1}));
 
-TEST(UnitCell, RefusesWhatItCannotMesh) {
-  const auto refusal = [](const Segment& segment) { return find_unit_cell(segment).reason; };
-  EXPECT_NE(refusal(tube(12, 16, NeoHookean{0.08})).find("there is none"), std::string::npos);
-  EXPECT_NE(refusal(paper_segment({36, 144})).find("one family"), std::string::npos);
-  EXPECT_NE(refusal(columns(std::vector<double>(16, 2.0))).find("curved"), std::string::npos);
-  Segment uneven = twisting_segment(36);
-  uneven.lattice->grids[0].widths_mm[3] = 2.5;
-  EXPECT_NE(refusal(uneven).find("equal width"), std::string::npos);
-  Segment closed = twisting_segment(36);
-  closed.lattice->grids[0].widths_mm.assign(8, 9.0);
-  EXPECT_NE(refusal(closed).find("gap between strips"), std::string::npos);
-  EXPECT_EQ(refusal(twisting_segment(36)), "");
-}
-
 }  // namespace
 }  // namespace latticast::testing

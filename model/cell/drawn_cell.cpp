@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/cell/drawn_cell.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "design/units.h"
+#include "geometry/pattern/cannot_draw.h"
+#include "geometry/solid/geometry_error.h"
+#include "geometry/solid/lattice_drawing.h"
+#include "geometry/solid/tolerance_budget.h"
+#include "model/cell/lattice_period.h"
+#include "model/cell/swept_cell.h"
+
+namespace latticast {
+namespace {
+
+/// A mesh of the cell; sizes are in units of finest().
+struct Level {
+  double size = 1;
+  double most_turn_rad = 0;
+  SweptDivision through;
+};
+constexpr Level coarse_level = {2, pi / 6, {.liner = 1, .lattice = 1, .grading = 1}};
+constexpr Level fine_level = {1, pi / 6, {.liner = 2, .lattice = 1, .grading = 3}};
+
+// The fine mesh's error over the difference of both, docs/unit-cell.md#any-lattice.
+constexpr double extrapolation = 0.4;
+
+constexpr double flatness_mm = 1e-3;  // of chords, which the mesh takes together again
+constexpr double closing_by_width = 0.02;
+constexpr int least_sectors = 3;
+
+// About 5 kB an unknown are needed.
+constexpr int most_unknowns = 200000;
+
+/// Nearly one element across the thinnest strand, and nearly four from strand to strand.
+double element_size_mm(const Segment& segment) {
+  double between = segment.lattice_circumference_mm();
+  for (const Grid& grid : segment.lattice->grids) {
+    if (grid.count() == 0) continue;
+    between = std::min(between,
+                       segment.lattice_circumference_mm() * grid.direction().sine / grid.count());
+  }
+  return 0.9 * std::max(thinnest_strand_mm(*segment.lattice), 0.3 * between);
+}
+
+/// The plane of a period, united.
+struct PeriodPlane {
+  Region region;
+  Period period;
+};
+
+PeriodPlane plane_of(const LatticePeriod& found) {
+  const Segment& drawn = found.drawn;
+  const int turns = (least_sectors + found.repeats - 1) / found.repeats;
+  const PlaneGrid grid =
+      make_plane_grid(drawn.lattice_circumference_mm(), drawn.length_mm, found.repeats * turns);
+  const auto steps = [&](double z_mm) {
+    return static_cast<std::int32_t>(std::lround(z_mm / grid.z_step_mm));
+  };
+  const std::array<std::int32_t, 2> cuts = {steps(found.from_mm), steps(found.to_mm)};
+  LatticeDrawing drawing(drawn);
+  const double closing = closing_by_width * thinnest_strand_mm(*drawn.lattice);
+  return {drawing.united(flatness_mm, grid, cuts, closing),
+          {turns, cuts[0], cuts[1], found.shift_mm, found.mirrored}};
+}
+
+CellMesh mesh_of(const Segment& segment, const LatticePeriod& found, const PeriodPlane& plane,
+                 const Level& level) {
+  const PeriodDivision division{level.size * element_size_mm(segment), level.most_turn_rad};
+  return swept_cell(segment, triangulate_period(plane.region, plane.period, division),
+                    {found.repeats, found.mirrored}, level.through);
+}
+
+/// Straight families of opposite angles meet at u = 0: a plane through the axis there mirrors them.
+bool is_mirrored_around(const Segment& segment) {
+  std::vector<std::pair<double, std::size_t>> leans;  // cosine, strands
+  for (const Grid& grid : segment.lattice->grids) {
+    if (grid.count() == 0) continue;
+    if (is_curved(grid.path)) return false;
+    leans.emplace_back(grid.direction().cosine, grid.widths_mm.size());
+  }
+  return std::all_of(leans.begin(), leans.end(), [&](const auto& lean) {
+    return std::find(leans.begin(), leans.end(), std::pair{-lean.first, lean.second}) !=
+           leans.end();
+  });
+}
+
+FoundCell cell_of(const Segment& segment, const LatticePeriod& found) {
+  const PeriodPlane plane = plane_of(found);
+  UnitCell cell{.coarse = mesh_of(segment, found, plane, coarse_level),
+                .fine = mesh_of(segment, found, plane, fine_level),
+                .extrapolation = extrapolation,
+                .kind = UnitCellKind::drawn,
+                .twists = !found.mirrored && !is_mirrored_around(segment),
+                .bends = found.repeats == 1,
+                .assumed = found.assumed};
+  if (cell.fine.unknowns > most_unknowns) {
+    return {nullptr, "would have " + std::to_string(cell.fine.unknowns) +
+                         " unknowns, more than the " + std::to_string(most_unknowns) +
+                         " that are solved for (1 GB)"};
+  }
+  return {std::make_shared<const UnitCell>(std::move(cell)), {}};
+}
+
+}  // namespace
+
+FoundCell find_drawn_cell(const Segment& segment) {
+  const FoundPeriod found = find_period(segment);
+  if (!found.period) return {nullptr, found.reason};
+  try {
+    return cell_of(segment, *found.period);
+  } catch (const CannotDraw& problem) {
+    return {nullptr, std::string("cannot be drawn: ") + problem.what()};
+  } catch (const GeometryError& problem) {
+    return {nullptr, std::string("cannot be meshed: ") + problem.what()};
+  }
+}
+
+}  // namespace latticast

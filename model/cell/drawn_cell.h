@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Unit cell of any lattice that repeats along the tube: drawn and united as its solid is, one
+// period of the plane triangulated and swept through the wall (docs/unit-cell.md#any-lattice).
+#pragma once
+
+#include "design/design.h"
+#include "model/cell/unit_cell.h"
+
+namespace latticast {
+
+/// Precondition: liner and lattice are materials that a cell knows, and the lattice has strands. In
+/// builds without geometry there is none.
+FoundCell find_drawn_cell(const Segment& segment);
+
+}  // namespace latticast
