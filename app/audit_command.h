@@ -10,7 +10,8 @@
 
 namespace latticast {
 
-/// latticast audit FILE...: reads, welds and audits each file. A file that cannot be read does not
+/// latticast audit FILE...: reads each file, and welds and audits its objects one by one; parts
+/// that overlap are told, and are no failure. A file that cannot be read does not
 /// stop the others; the status then says file_error.
 ExitStatus run_audit(const std::vector<std::filesystem::path>& files, const Console& console);
 

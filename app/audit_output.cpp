@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/audit_output.h"
 
+#include <algorithm>
+
 #include <fmt/core.h>
 
 namespace latticast {
@@ -25,6 +27,57 @@ std::string audit_findings(const Audit& audit) {
     text += "  self-intersections were not searched: not every coordinate is finite\n";
   }
   return text;
+}
+
+namespace {
+
+Audit sum_of(const std::vector<Audit>& audits) {
+  Audit sum;
+  for (const Audit& audit : audits) {
+    sum.triangles += audit.triangles;
+    sum.components += audit.components;
+    sum.genus += audit.genus;
+    sum.volume_mm3 += audit.volume_mm3;
+  }
+  return sum;
+}
+
+std::string overlap_notes(const std::vector<MeshObject>& objects, const PartOverlaps& overlaps) {
+  constexpr std::size_t listed = 5;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(listed, overlaps.found.size()); ++i) {
+    const PartOverlap& overlap = overlaps.found[i];
+    text += fmt::format(
+        "  note: {} and {} overlap, {:.2g} mm deep at x {:.6g}, y {:.6g}, z {:.6g}; "
+        "{:.2g} mm3 belong to both\n",
+        title_of(objects, overlap.first), title_of(objects, overlap.second), overlap.depth_mm,
+        overlap.where[0], overlap.where[1], overlap.where[2], overlap.volume_mm3);
+  }
+  if (overlaps.found.size() > listed) {
+    text += fmt::format("  note: {} pairs of parts overlap\n", overlaps.found.size());
+  }
+  if (!overlaps.searched_all) {
+    text += "  note: there are too many parts to compare each with each\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string audit_report(const std::string& file, const std::vector<MeshObject>& objects,
+                         const std::vector<Audit>& audits, const PartOverlaps& overlaps) {
+  const bool passes =
+      std::all_of(audits.begin(), audits.end(), [](const Audit& a) { return a.passes(); });
+  const Audit sum = sum_of(audits);
+  const std::string parts = objects.size() == 1 ? "" : fmt::format("{} objects, ", objects.size());
+  std::string text = passes ? fmt::format("pass {}: {}{}\n", file, parts, audit_summary(sum))
+                            : fmt::format("FAIL {}: {}{} triangles\n", file, parts, sum.triangles);
+  for (std::size_t i = 0; i < audits.size(); ++i) {
+    if (audits[i].passes()) continue;
+    if (objects.size() > 1) text += fmt::format("  {}:\n", title_of(objects, i));
+    text += audit_findings(audits[i]);
+  }
+  return text + overlap_notes(objects, overlaps);
 }
 
 }  // namespace latticast

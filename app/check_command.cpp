@@ -32,7 +32,7 @@ void add(CheckFindings more, Checked& checked) {
 #if LATTICAST_HAS_GEOMETRY
 void check_mesh(const std::filesystem::path& file, const Console& console, Checked& checked) {
   try {
-    add(mesh_checks(read_mesh(file), file.string()), checked);
+    add(mesh_checks(read_objects(file), file.string()), checked);
   } catch (const FileError& fault) {
     console.error(fault.what());
     checked.status = ExitStatus::file_error;

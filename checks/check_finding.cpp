@@ -106,6 +106,7 @@ constexpr std::array codes = {
     CheckCode{"mesh-inside-out", Severity::error, "a body faces the wrong way"},
     CheckCode{"mesh-thin-wall", Severity::warning, "walls are thinner than melted plastic prints"},
     CheckCode{"enclosed-void", Severity::warning, "a cavity has no way out"},
+    CheckCode{"parts-overlap", Severity::note, "two parts of a file claim the same room"},
 };
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "geometry/mesh/disjoint_sets.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/audit.h"
+#include "geometry/solid/part_overlap.h"
 #include "geometry/solid/wall_thickness.h"
 
 namespace latticast {
@@ -149,19 +150,55 @@ void check_size(const Audit& found, const std::string& name, CheckFindings& find
   findings.push_back(std::move(*finding));
 }
 
-}  // namespace
-
-CheckFindings mesh_checks(const TriangleMesh& mesh, const std::string& name) {
+// Says whether the object is sound.
+bool check_object(const TriangleMesh& mesh, const std::string& name, CheckFindings& findings) {
   const TriangleMesh welded = weld(mesh);
   const Audit found = audit(welded);
-  CheckFindings findings;
   check_defects(found, name, findings);
   if (found.passes()) {
     check_walls(welded, name, findings);
     check_voids(welded, name, findings);
   }
   if (found.count(Defect::not_finite) == 0) check_size(found, name, findings);
+  return found.passes();
+}
+
+CheckFinding overlap_finding(const std::vector<MeshObject>& objects, const PartOverlap& overlap,
+                             const std::string& name) {
+  CheckFinding finding = check_finding("parts-overlap");
+  finding.part = name;
+  finding.value = overlap.depth_mm;
+  finding.limit = contact_depth_mm;
+  finding.unit = "mm";
+  finding.message = fmt::format(
+      "{} and {} overlap, {:.2g} mm deep at {}; {:.2g} mm3 belong to both, and a slicer gives them "
+      "to "
+      "one or to both",
+      title_of(objects, overlap.first), title_of(objects, overlap.second), overlap.depth_mm,
+      place_text(overlap.where), overlap.volume_mm3);
+  finding.remedy = "unite the parts, or move them apart";
+  return finding;
+}
+
+}  // namespace
+
+CheckFindings mesh_checks(const std::vector<MeshObject>& objects, const std::string& name) {
+  CheckFindings findings;
+  std::vector<bool> sound;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::string part = objects.size() == 1 ? name : name + " " + title_of(objects, i);
+    sound.push_back(check_object(objects[i].mesh, part, findings));
+  }
+  constexpr std::size_t listed = 10;
+  const PartOverlaps overlaps = overlapping_parts(objects, sound);
+  for (std::size_t i = 0; i < std::min(listed, overlaps.found.size()); ++i) {
+    findings.push_back(overlap_finding(objects, overlaps.found[i], name));
+  }
   return findings;
+}
+
+CheckFindings mesh_checks(TriangleMesh mesh, const std::string& name) {
+  return mesh_checks(std::vector<MeshObject>{{"", std::move(mesh)}}, name);
 }
 
 }  // namespace latticast

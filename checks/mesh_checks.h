@@ -4,9 +4,10 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 #include "checks/check_finding.h"
-#include "geometry/mesh/triangle_mesh.h"
+#include "geometry/mesh/mesh_object.h"
 
 namespace latticast {
 
@@ -17,11 +18,15 @@ inline constexpr std::array<double, 3> usual_bed_mm = {220, 220, 250};
 /// of n to the turn take 1 - cos(pi/n) off, which is less from n = 23 on.
 inline constexpr double chord_allowance = 0.01;
 
-/// A finding for every kind of defect that the audit counts, with how many there are and where the
-/// first is; where there are no defects, mesh-thin-wall for the thinnest wall that is below the
-/// least one of melted plastic (lattice_use.h), and enclosed-void for every body that faces inwards
-/// inside another; exceeds-bed as a warning, z being up. `name` is the file's, and every finding's
-/// part.
-CheckFindings mesh_checks(const TriangleMesh& mesh, const std::string& name);
+/// Object by object: a finding for every kind of defect that the audit counts, with how many there
+/// are and where the first is; where there are no defects, mesh-thin-wall for the thinnest wall
+/// that is below the least one of melted plastic (lattice_use.h), and enclosed-void for every body
+/// that faces inwards inside another; exceeds-bed as a warning, z being up. Then parts-overlap for
+/// each of the first ten pairs of objects that claim the same room. `name` is the file's, and every
+/// finding's part, followed by the object's where there are several.
+CheckFindings mesh_checks(const std::vector<MeshObject>& objects, const std::string& name);
+
+/// Of a file with one object.
+CheckFindings mesh_checks(TriangleMesh mesh, const std::string& name);
 
 }  // namespace latticast

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "export/colour.h"
-#include "geometry/mesh/triangle_mesh.h"
+#include "export/mesh/mesh_limits.h"
+#include "geometry/mesh/mesh_object.h"
 
 namespace latticast {
 
@@ -51,13 +52,17 @@ std::string encode_glb(const Scene& scene);
 /// FileError.
 void write_glb(const std::filesystem::path& file, const Scene& scene);
 
-/// The triangles of GLB in mm, z upward, placed as the nodes of its scene say: positions are
+/// The meshes of GLB in mm, z upward, placed as the nodes of its scene say: positions are
 /// multiplied in double and rounded to float32 once, and what write_glb wrote comes back bit for
-/// bit. Meshes follow one another in the order of the nodes; a node that mirrors keeps its surface
-/// facing outward. Morph targets, skins, materials, points and lines are passed over.
+/// bit. Each use of a mesh is an object with the node's name, or the mesh's, in the order of the
+/// nodes; one that mirrors keeps its surface facing outward. Instances (EXT_mesh_gpu_instancing)
+/// are placed, invisible nodes (KHR_node_visibility) left out. Morph targets, skins, materials,
+/// points and lines are passed over.
 ///
-/// Throws FileError naming `file` for what is no GLB, is cut short or contradicts itself, and for
-/// data that is not read: outside the file, compressed, sparse, triangle strips and fans.
-TriangleMesh decode_glb(const std::filesystem::path& file, std::string_view bytes);
+/// Throws FileError naming `file` for what is no GLB, is cut short or contradicts itself, for data
+/// that is not read (outside the file, compressed, sparse, triangle strips and fans), for other
+/// extensions that change the geometry or are required, by name, and for what goes beyond `limits`.
+std::vector<MeshObject> decode_glb(const std::filesystem::path& file, std::string_view bytes,
+                                   const MeshLimits& limits = {});
 
 }  // namespace latticast

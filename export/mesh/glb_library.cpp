@@ -24,4 +24,18 @@ std::string encode_glb_model(tinygltf::Model& model) {
   throw std::runtime_error("a scene that cannot be put into GLB");
 }
 
+GltfExtensions gltf_extensions(std::string_view json) {
+  const auto description = nlohmann::json::parse(json.begin(), json.end(), nullptr, false);
+  GltfExtensions extensions;
+  const auto collect = [&](const char* key, std::vector<std::string>& names) {
+    if (!description.is_object() || !description.contains(key)) return;
+    for (const auto& name : description[key]) {
+      if (name.is_string()) names.push_back(name.get<std::string>());
+    }
+  };
+  collect("extensionsUsed", extensions.used);
+  collect("extensionsRequired", extensions.required);
+  return extensions;
+}
+
 }  // namespace latticast

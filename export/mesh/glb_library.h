@@ -5,6 +5,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #define TINYGLTF_NO_FS
 #define TINYGLTF_NO_EXTERNAL_IMAGE
@@ -16,5 +18,15 @@ namespace latticast {
 
 /// The model as a binary glTF file. Throws std::invalid_argument for a name that is not UTF-8.
 std::string encode_glb_model(tinygltf::Model& model);
+
+/// The extensions that a glTF description names.
+struct GltfExtensions {
+  std::vector<std::string> used;
+  std::vector<std::string> required;
+};
+
+/// Those of a description as JSON; none where it cannot be read. The library tells them only of
+/// files that it can load. Precondition: nested no deeper than readers that call themselves follow.
+GltfExtensions gltf_extensions(std::string_view json);
 
 }  // namespace latticast

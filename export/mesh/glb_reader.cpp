@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -19,11 +20,47 @@ namespace {
 /// Metres, y upward, to mm, z upward.
 constexpr Placement millimetres_z_up{{{1000, 0, 0}, {0, 0, 1000}, {0, -1000, 0}, {0, 0, 0}}};
 
+// Beside these, materials and textures of any kind leave meshes as they are.
+constexpr std::array<std::string_view, 6> harmless{"EXT_mesh_gpu_instancing",  // which is read
+                                                   "KHR_node_visibility",      // likewise
+                                                   "KHR_lights_punctual",     "KHR_xmp_json_ld",
+                                                   "KHR_animation_pointer",   "MSFT_texture_dds"};
+
+bool is_harmless(std::string_view extension) {
+  return extension.starts_with("KHR_materials_") || extension.starts_with("EXT_materials_") ||
+         extension.starts_with("KHR_texture_") || extension.starts_with("EXT_texture_") ||
+         std::find(harmless.begin(), harmless.end(), extension) != harmless.end();
+}
+
+/// Whether meshes without what the extension adds are others, by its name.
+bool changes_meshes(std::string_view extension) {
+  constexpr std::array<std::string_view, 5> words{"instancing", "displacement", "subdivision",
+                                                  "tessellation", "meshopt"};
+  return !is_harmless(extension) &&
+         std::any_of(words.begin(), words.end(), [&](std::string_view word) {
+           return extension.find(word) != std::string_view::npos;
+         });
+}
+
+bool is_compression(std::string_view extension) {
+  return extension.find("compression") != std::string_view::npos;
+}
+
 Placement rotation(double x, double y, double z, double w) {
   return {{{1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
            {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
            {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)},
            {0, 0, 0}}};
+}
+
+/// First a scaling, then a rotation by a quaternion, then a shift.
+Placement placement_of(const Point& shift, const std::array<double, 4>& turn, const Point& scale) {
+  Placement result = rotation(turn[0], turn[1], turn[2], turn[3]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t row = 0; row < 3; ++row) result[axis][row] *= scale[axis];
+  }
+  result[3] = shift;
+  return result;
 }
 
 /// The node's own placement: a matrix, or a scaling, then a rotation by a quaternion, then a shift.
@@ -86,6 +123,19 @@ std::string same_name(const std::string& name, void* /*unused*/) {
   return name;
 }
 
+/// An integer of a component type as the number that it stands for: itself, or a fraction.
+double fraction(std::int64_t value, bool normalised, double highest) {
+  return normalised ? std::max(static_cast<double>(value) / highest, -1.0)
+                    : static_cast<double>(value);
+}
+
+bool is_visible(const tinygltf::Node& node) {
+  const auto found = node.extensions.find("KHR_node_visibility");
+  if (found == node.extensions.end() || !found->second.Has("visible")) return true;
+  const tinygltf::Value& visible = found->second.Get("visible");
+  return !visible.IsBool() || visible.Get<bool>();
+}
+
 /// Numbers that lie at equal distances in the file's buffer.
 struct Numbers {
   const char* first = nullptr;
@@ -95,11 +145,14 @@ struct Numbers {
 
 class SceneReader {
  public:
-  SceneReader(const std::filesystem::path& file, std::string_view bytes) : file_(file) {
+  SceneReader(const std::filesystem::path& file, std::string_view bytes, const MeshLimits& limits)
+      : file_(file), limits_(limits) {
+    constexpr std::size_t least_bytes = 3;  // of a triangle: its corners, one byte each
+    file_triangles_ = bytes.size() / least_bytes;
     load(bytes);
   }
 
-  TriangleMesh read() {
+  std::vector<MeshObject> read() {
     if (model_.scenes.empty()) {
       fail("holds no scene");
     }
@@ -115,13 +168,16 @@ class SceneReader {
         fail("has a node with two parents");
       }
       seen[number] = true;
+      if (!is_visible(node)) {
+        continue;  // nor is what hangs below it
+      }
       const Placement here = placed(parent, placement_of(node));
       if (node.mesh >= 0) {
-        append_mesh(at(model_.meshes, node.mesh, "mesh"), here);
+        add_meshes(node, here);
       }
       add_nodes(node.children, here, waiting);
     }
-    return std::move(mesh_);
+    return std::move(objects_);
   }
 
  private:
@@ -166,18 +222,37 @@ class SceneReader {
 
   void load(std::string_view bytes) {
     check_frame(bytes);
+    constexpr std::size_t frame = 20;
+    extensions_ = gltf_extensions(bytes.substr(frame, get_little_endian(bytes.data() + 12, 4)));
+    check_extensions();
     tinygltf::TinyGLTF loader;
     loader.SetImageLoader(&take_no_image, nullptr);
     loader.SetFsCallbacks({&refuse, &same_name, &refuse, &refuse, nullptr});
     std::string reason;
     if (!try_to_load(loader, bytes, reason)) {
+      fail_if_compressed();
       std::replace(reason.begin(), reason.end(), '\n', ' ');
       fail("cannot be read: " + reason);
     }
-    for (const std::string& extension : model_.extensionsRequired) {
-      if (!extension.starts_with("KHR_materials_") && extension != "KHR_texture_transform") {
-        fail("needs the glTF extension " + extension);
-      }
+  }
+
+  [[noreturn]] void fail_for(const std::string& extension) const {
+    fail("needs the glTF extension " + extension + ", which is not read" +
+         (is_compression(extension) ? ": export it without compression" : ""));
+  }
+
+  void fail_if_compressed() const {
+    for (const std::string& extension : extensions_.used) {
+      if (is_compression(extension)) fail_for(extension);
+    }
+  }
+
+  void check_extensions() const {
+    for (const std::string& extension : extensions_.required) {
+      if (!is_harmless(extension)) fail_for(extension);
+    }
+    for (const std::string& extension : extensions_.used) {
+      if (changes_meshes(extension)) fail_for(extension);
     }
   }
 
@@ -189,8 +264,12 @@ class SceneReader {
   }
 
   Numbers numbers_of(const tinygltf::Accessor& accessor, std::size_t size) const {
-    if (accessor.sparse.isSparse || accessor.bufferView < 0) {
+    if (accessor.sparse.isSparse) {
       fail("has a sparse accessor, which is not read");
+    }
+    if (accessor.bufferView < 0) {
+      fail_if_compressed();
+      fail("has an accessor without data");
     }
     const tinygltf::BufferView& view = at(model_.bufferViews, accessor.bufferView, "buffer view");
     const std::size_t held = at(model_.buffers, view.buffer, "buffer").data.size();
@@ -208,7 +287,8 @@ class SceneReader {
   }
 
   /// Returns how many.
-  std::size_t append_positions(const tinygltf::Primitive& primitive, const Placement& here) {
+  std::size_t append_positions(const tinygltf::Primitive& primitive, const Placement& here,
+                               TriangleMesh& mesh) const {
     const auto position = primitive.attributes.find("POSITION");
     if (position == primitive.attributes.end()) {
       return 0;
@@ -219,13 +299,13 @@ class SceneReader {
       fail("has positions that are not three float32");
     }
     const Numbers numbers = numbers_of(accessor, 12);
-    if (numbers.count > std::numeric_limits<std::uint32_t>::max() - mesh_.vertices.size()) {
+    if (numbers.count > std::numeric_limits<std::uint32_t>::max() - mesh.vertices.size()) {
       fail("holds more vertices than a mesh can have");
     }
     for (std::size_t i = 0; i < numbers.count; ++i) {
       const char* const in = numbers.first + i * numbers.stride;
       const Point point{get_float32(in), get_float32(in + 4), get_float32(in + 8)};
-      mesh_.vertices.push_back(placed(here, point));
+      mesh.vertices.push_back(placed(here, point));
     }
     return numbers.count;
   }
@@ -271,8 +351,9 @@ class SceneReader {
     }
   }
 
-  void append_mesh(const tinygltf::Mesh& mesh, const Placement& here) {
-    for (const tinygltf::Primitive& primitive : mesh.primitives) {
+  TriangleMesh placed_mesh(const tinygltf::Mesh& source, const Placement& here) const {
+    TriangleMesh mesh;
+    for (const tinygltf::Primitive& primitive : source.primitives) {
       if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
           primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) {
         fail("has triangle strips or fans, which are not read");
@@ -280,29 +361,141 @@ class SceneReader {
       if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1) {
         continue;
       }
-      const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
-      const std::size_t count = append_positions(primitive, here);
-      const std::vector<std::uint32_t> corners = corners_of(primitive, count);
-      if (corners.size() % 3 != 0) {
-        fail("has a triangle without three corners");
+      append_triangles(primitive, here, mesh);
+    }
+    return mesh;
+  }
+
+  void append_triangles(const tinygltf::Primitive& primitive, const Placement& here,
+                        TriangleMesh& mesh) const {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    const std::size_t count = append_positions(primitive, here, mesh);
+    const std::vector<std::uint32_t> corners = corners_of(primitive, count);
+    if (corners.size() % 3 != 0) {
+      fail("has a triangle without three corners");
+    }
+    const bool turned = mirrors(here);
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+      mesh.triangles.push_back({first + corners[i], first + corners[turned ? i + 2 : i + 1],
+                                first + corners[turned ? i + 1 : i + 2]});
+    }
+  }
+
+  /// The node's mesh where it stands, or its instances.
+  void add_meshes(const tinygltf::Node& node, const Placement& here) {
+    const tinygltf::Mesh& source = at(model_.meshes, node.mesh, "mesh");
+    const std::string& name = node.name.empty() ? source.name : node.name;
+    const auto instancing = node.extensions.find("EXT_mesh_gpu_instancing");
+    if (instancing == node.extensions.end()) {
+      add_object(name, placed_mesh(source, here));
+      return;
+    }
+    const Instances instances = instances_of(instancing->second);
+    for (std::size_t i = 0; i < instances.count; ++i) {
+      add_object(name, placed_mesh(source, placed(here, instances.placement(*this, i))));
+    }
+  }
+
+  // Each time anew: a first use of a mesh takes what the file takes, however large.
+  void add_object(const std::string& name, TriangleMesh mesh) {
+    if (mesh.triangles.empty()) return;
+    triangles_ += mesh.triangles.size();
+    const bool repeated = triangles_ > limits_.triangles && triangles_ > file_triangles_;
+    if (objects_.size() >= limits_.uses || repeated) {
+      fail("uses its meshes too many times: more than " + std::to_string(limits_.uses) +
+           " times, or " + std::to_string(limits_.triangles) + " triangles");
+    }
+    objects_.push_back({name, std::move(mesh)});
+  }
+
+  /// Where the instances of a node stand; accessors are null where all have the usual value.
+  struct Instances {
+    const tinygltf::Accessor* shift = nullptr;
+    const tinygltf::Accessor* turn = nullptr;
+    const tinygltf::Accessor* scale = nullptr;
+    std::size_t count = 0;
+
+    Placement placement(const SceneReader& reader, std::size_t i) const {
+      Point moved{0, 0, 0};
+      std::array<double, 4> turned{0, 0, 0, 1};
+      Point scaled{1, 1, 1};
+      if (shift != nullptr) reader.read_item(*shift, i, moved);
+      if (turn != nullptr) reader.read_item(*turn, i, turned);
+      if (scale != nullptr) reader.read_item(*scale, i, scaled);
+      return placement_of(moved, turned, scaled);
+    }
+  };
+
+  Instances instances_of(const tinygltf::Value& extension) const {
+    Instances instances;
+    const auto find = [&](const char* name, int type, const tinygltf::Accessor*& accessor) {
+      if (!extension.Has("attributes") || !extension.Get("attributes").Has(name)) return;
+      const tinygltf::Value& number = extension.Get("attributes").Get(name);
+      accessor =
+          &at(model_.accessors, number.IsNumber() ? number.GetNumberAsInt() : -1, "accessor");
+      if (accessor->type != type || (instances.count > 0 && instances.count != accessor->count)) {
+        fail("has instances whose places contradict one another");
       }
-      const bool turned = mirrors(here);
-      for (std::size_t i = 0; i < corners.size(); i += 3) {
-        mesh_.triangles.push_back({first + corners[i], first + corners[turned ? i + 2 : i + 1],
-                                   first + corners[turned ? i + 1 : i + 2]});
-      }
+      instances.count = accessor->count;
+    };
+    find("TRANSLATION", TINYGLTF_TYPE_VEC3, instances.shift);
+    find("ROTATION", TINYGLTF_TYPE_VEC4, instances.turn);
+    find("SCALE", TINYGLTF_TYPE_VEC3, instances.scale);
+    if (instances.count > limits_.uses) {
+      fail("uses its meshes too many times: more than " + std::to_string(limits_.uses) + " times");
+    }
+    return instances;
+  }
+
+  /// Item `i` of an accessor of floats, or of small integers that stand for fractions.
+  template <std::size_t Size>
+  void read_item(const tinygltf::Accessor& accessor, std::size_t i,
+                 std::array<double, Size>& item) const {
+    const int size = tinygltf::GetComponentSizeInBytes(accessor.componentType);
+    if (size != 1 && size != 2 && accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
+      fail("has instances whose places are no numbers of 8, 16 or 32 bits");
+    }
+    const auto width = static_cast<std::size_t>(size);
+    const Numbers numbers = numbers_of(accessor, width * Size);
+    for (std::size_t part = 0; part < Size; ++part) {
+      const char* const in = numbers.first + i * numbers.stride + part * width;
+      item[part] = number_at(in, accessor);
+    }
+  }
+
+  static double number_at(const char* in, const tinygltf::Accessor& accessor) {
+    switch (accessor.componentType) {
+      case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return fraction(static_cast<std::int8_t>(get_little_endian(in, 1)), accessor.normalized,
+                        127);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return fraction(static_cast<std::int64_t>(get_little_endian(in, 1)), accessor.normalized,
+                        255);
+      case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return fraction(static_cast<std::int16_t>(get_little_endian(in, 2)), accessor.normalized,
+                        32767);
+      case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return fraction(static_cast<std::int64_t>(get_little_endian(in, 2)), accessor.normalized,
+                        65535);
+      default:
+        return get_float32(in);
     }
   }
 
   const std::filesystem::path& file_;
+  MeshLimits limits_;
+  GltfExtensions extensions_;
   tinygltf::Model model_;
-  TriangleMesh mesh_;
+  std::vector<MeshObject> objects_;
+  std::size_t triangles_ = 0;       ///< of all objects
+  std::size_t file_triangles_ = 0;  ///< that the file's bytes could hold
 };
 
 }  // namespace
 
-TriangleMesh decode_glb(const std::filesystem::path& file, std::string_view bytes) {
-  return SceneReader(file, bytes).read();
+std::vector<MeshObject> decode_glb(const std::filesystem::path& file, std::string_view bytes,
+                                   const MeshLimits& limits) {
+  return SceneReader(file, bytes, limits).read();
 }
 
 }  // namespace latticast

@@ -14,12 +14,14 @@ bool goes_on(std::string_view line) {
   return line.ends_with('\\') || line.ends_with("\\\r");
 }
 
+std::string_view without_plus(std::string_view word) {
+  return word.starts_with('+') && !word.starts_with("+-") ? word.substr(1) : word;
+}
+
 }  // namespace
 
 std::optional<float> float32_of(std::string_view word) {
-  if (word.starts_with('+')) {
-    word.remove_prefix(1);
-  }
+  word = without_plus(word);
   const char* const end = word.data() + word.size();
   float value = 0;
   auto parsed = std::from_chars(word.data(), end, value);
@@ -32,6 +34,23 @@ std::optional<float> float32_of(std::string_view word) {
     return std::nullopt;
   }
   return value;
+}
+
+std::optional<double> float64_of(std::string_view word) {
+  word = without_plus(word);
+  double value = 0;
+  const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (parsed.ec != std::errc() || parsed.ptr != word.data() + word.size()) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::string quoted(std::string_view word) {
+  constexpr std::size_t longest = 60;
+  std::string text = "\"";
+  text.append(word.substr(0, longest));
+  return text.append(word.size() > longest ? "…\"" : "\"");
 }
 
 bool LineReader::next_line() {

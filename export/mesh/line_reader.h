@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace latticast {
@@ -11,6 +12,12 @@ namespace latticast {
 /// The number that `word` is, rounded to float32: exactly the nearest one, infinity beyond its
 /// range. Takes a leading "+", exponents, "inf" and "nan"; nothing when the word is anything else.
 std::optional<float> float32_of(std::string_view word);
+
+/// The same as a double.
+std::optional<double> float64_of(std::string_view word);
+
+/// A word of a file for a message: in quotes, and cut short where it is long.
+std::string quoted(std::string_view word);
 
 /// Walks through text that must outlive it. Lines end with "\n" or "\r\n"; one that ends with a
 /// backslash goes on in the next.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export/mesh/mesh_file.h"
 
+#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <stdexcept>
@@ -51,11 +52,12 @@ void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, Mes
   write_file_atomically(file, mesh_file_format(format).encode({mesh, name, vertex_colours}));
 }
 
-TriangleMesh read_mesh(const std::filesystem::path& file) {
-  return read_mesh_bytes(file, read_bytes(file));
+std::vector<MeshObject> read_objects(const std::filesystem::path& file) {
+  return read_objects_bytes(file, read_bytes(file));
 }
 
-TriangleMesh read_mesh_bytes(const std::filesystem::path& file, std::string_view bytes) {
+std::vector<MeshObject> read_objects_bytes(const std::filesystem::path& file,
+                                           std::string_view bytes) {
   if (bytes.empty()) {
     throw FileError(file, "is empty");
   }
@@ -63,11 +65,20 @@ TriangleMesh read_mesh_bytes(const std::filesystem::path& file, std::string_view
   if (!format) {
     throw FileError(file, "is not known as a mesh file: it needs the extension " + mesh_suffixes());
   }
-  TriangleMesh mesh = mesh_file_format(*format).decode(file, bytes);
-  if (mesh.triangles.empty()) {
+  std::vector<MeshObject> objects = mesh_file_format(*format).decode(file, bytes);
+  if (std::all_of(objects.begin(), objects.end(),
+                  [](const MeshObject& object) { return object.mesh.triangles.empty(); })) {
     throw FileError(file, "holds no triangle");
   }
-  return mesh;
+  return objects;
+}
+
+TriangleMesh read_mesh(const std::filesystem::path& file) {
+  return joined(read_objects(file));
+}
+
+TriangleMesh read_mesh_bytes(const std::filesystem::path& file, std::string_view bytes) {
+  return joined(read_objects_bytes(file, bytes));
 }
 
 }  // namespace latticast

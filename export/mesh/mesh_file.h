@@ -6,10 +6,11 @@
 #include <filesystem>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "design/mesh_format.h"
 #include "export/colour.h"
-#include "geometry/mesh/triangle_mesh.h"
+#include "geometry/mesh/mesh_object.h"
 
 namespace latticast {
 
@@ -30,22 +31,27 @@ namespace latticast {
 void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, MeshFormat format,
                 std::span<const Colour> vertex_colours = {});
 
-/// Reads a mesh of triangles in mm from a file of any format, told apart by the suffix; larger
+/// Reads meshes of triangles in mm from a file of any format, told apart by the suffix; larger
 /// polygons become triangles. Nothing is joined, reordered or dropped, collapsed triangles and
-/// coordinates that are not finite included; several meshes in a file follow one another, placed as
-/// the file says. 3MF says its unit and GLB is in metres with y upward, which becomes mm with z
-/// upward; the numbers of the others are taken as mm. STL gives every triangle three vertices of
-/// its own (weld() shares them again). Coordinates are float32 values, exactly those nearest to
-/// what the file says unless it moves or scales them.
+/// coordinates that are not finite included. 3MF and GLB hold one object or many, placed as the
+/// file says; the other formats one. 3MF says its unit and GLB is in metres with y upward, which
+/// becomes mm with z upward; the numbers of the others are taken as mm. STL gives every triangle
+/// three vertices of its own (weld() shares them again). Coordinates are float32 values, exactly
+/// those nearest to what the file says unless it moves or scales them.
 ///
 /// Throws FileError for a file that cannot be opened, is empty, contradicts itself, holds no
 /// triangle, or is cut short (for OBJ only where that shows). Memory grows with the file's size,
 /// for 3MF with that of its unpacked model and for both 3MF and GLB with the number of times that
 /// it uses a mesh, never with a count that it claims.
-TriangleMesh read_mesh(const std::filesystem::path& file);
+std::vector<MeshObject> read_objects(const std::filesystem::path& file);
 
 /// The same from the bytes of a file; `file` gives the extension and the name in errors, and is not
 /// opened.
+std::vector<MeshObject> read_objects_bytes(const std::filesystem::path& file,
+                                           std::string_view bytes);
+
+/// All objects of a file as one mesh, one after the other.
+TriangleMesh read_mesh(const std::filesystem::path& file);
 TriangleMesh read_mesh_bytes(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace latticast

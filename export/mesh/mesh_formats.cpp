@@ -23,22 +23,33 @@ std::string encode_glb_part(const MeshToWrite& part) {
   return encode_glb({{{std::string(part.name), part.mesh}}});
 }
 
+using Objects = std::vector<MeshObject>;
+using Path = std::filesystem::path;
+
+template <TriangleMesh (*decode)(const Path& file, std::string_view bytes)>
+Objects decode_one(const Path& file, std::string_view bytes) {
+  Objects objects(1);
+  objects.front().mesh = decode(file, bytes);
+  return objects;
+}
+
 constexpr std::array formats = {
     MeshFileFormat{.format = MeshFormat::stl,
                    .encode = [](const MeshToWrite& part) { return encode_stl(part.mesh); },
-                   .decode = decode_stl,
+                   .decode = decode_one<decode_stl>,
                    .keeps_vertex_numbers = false,
                    .keeps_infinite = true,
                    .keeps_part_name = false},
     MeshFileFormat{.format = MeshFormat::obj,
                    .encode = [](const MeshToWrite& part) { return encode_obj(part.mesh); },
-                   .decode = decode_obj,
+                   .decode = decode_one<decode_obj>,
                    .keeps_vertex_numbers = true,
                    .keeps_infinite = true,
                    .keeps_part_name = false},
     MeshFileFormat{.format = MeshFormat::three_mf,
                    .encode = encode_three_mf_part,
-                   .decode = decode_three_mf,
+                   .decode = [](const Path& file,
+                                std::string_view bytes) { return decode_three_mf(file, bytes); },
                    .keeps_vertex_numbers = true,
                    .keeps_infinite = false,
                    .keeps_part_name = true},
@@ -46,19 +57,20 @@ constexpr std::array formats = {
         .format = MeshFormat::ply,
         .encode =
             [](const MeshToWrite& part) { return encode_ply(part.mesh, part.vertex_colours); },
-        .decode = decode_ply,
+        .decode = decode_one<decode_ply>,
         .keeps_vertex_numbers = true,
         .keeps_infinite = true,
         .keeps_part_name = false},
-    MeshFileFormat{.format = MeshFormat::glb,
-                   .encode = encode_glb_part,
-                   .decode = decode_glb,
-                   .keeps_vertex_numbers = true,
-                   .keeps_infinite = false,
-                   .keeps_part_name = true},
+    MeshFileFormat{
+        .format = MeshFormat::glb,
+        .encode = encode_glb_part,
+        .decode = [](const Path& file, std::string_view bytes) { return decode_glb(file, bytes); },
+        .keeps_vertex_numbers = true,
+        .keeps_infinite = false,
+        .keeps_part_name = true},
     MeshFileFormat{.format = MeshFormat::off,
                    .encode = [](const MeshToWrite& part) { return encode_off(part.mesh); },
-                   .decode = decode_off,
+                   .decode = decode_one<decode_off>,
                    .keeps_vertex_numbers = true,
                    .keeps_infinite = true,
                    .keeps_part_name = false},

@@ -6,10 +6,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "design/mesh_format.h"
 #include "export/colour.h"
-#include "geometry/mesh/triangle_mesh.h"
+#include "geometry/mesh/mesh_object.h"
 
 namespace latticast {
 
@@ -23,7 +24,7 @@ struct MeshToWrite {
 struct MeshFileFormat {
   MeshFormat format;
   std::string (*encode)(const MeshToWrite& part);  ///< leaves out what the format does not keep
-  TriangleMesh (*decode)(const std::filesystem::path& file, std::string_view bytes);
+  std::vector<MeshObject> (*decode)(const std::filesystem::path& file, std::string_view bytes);
   bool keeps_vertex_numbers;  ///< otherwise every triangle has three vertices of its own
   bool keeps_infinite;        ///< infinite coordinates and those that are no number; else refused
   bool keeps_part_name;

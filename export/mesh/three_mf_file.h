@@ -6,9 +6,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "export/colour.h"
-#include "geometry/mesh/triangle_mesh.h"
+#include "export/mesh/mesh_limits.h"
+#include "geometry/mesh/mesh_object.h"
 
 namespace latticast {
 
@@ -33,16 +35,22 @@ std::string encode_three_mf(std::span<const NamedMesh> parts);
 /// FileError.
 void write_three_mf(const std::filesystem::path& file, std::span<const NamedMesh> parts);
 
-/// The triangles of all build items of a 3MF package in mm (the model's unit is applied), in their
-/// order, objects made of components included. A coordinate is the float32 nearest to its text
-/// where nothing is moved or scaled; otherwise the product is rounded to float32 once. A transform
-/// that mirrors keeps the surface facing outward. Vertices and triangles are neither joined nor
-/// dropped. Names, colours, slices and beams are passed over.
+/// The meshes of all build items of a 3MF package in mm (the model's unit is applied), in their
+/// order, each object of a component by itself, with its name or that of what it is part of. What
+/// is not printed is left out: items marked so, supports, and the modifiers, negative volumes,
+/// support blockers and support enforcers of PrusaSlicer, Slic3r, Bambu Studio, Orca Slicer and
+/// Cura; a mesh of several volumes becomes an object for each. A coordinate is the float32 nearest
+/// to its text where nothing is moved or scaled; otherwise the product is rounded to float32 once.
+/// A transform that mirrors keeps the surface facing outward. Vertices and triangles are neither
+/// joined nor dropped. Colours, slices and beams are passed over.
 ///
-/// Memory grows with the unpacked model. Throws FileError naming `file`, and the model's line where
-/// there is one, for an archive or XML that is damaged, a number that is none, a triangle that
-/// names a missing vertex, an object that is not defined before it is used, objects in other models
-/// (production extension), and components that multiply beyond reason.
-TriangleMesh decode_three_mf(const std::filesystem::path& file, std::string_view bytes);
+/// Memory grows with the unpacked model and, within `limits`, with what it places. Throws FileError
+/// naming `file`, and the model's line where there is one, for an archive or XML that is damaged, a
+/// number that is none, a triangle that names a missing vertex, an object that is not defined
+/// before it is used, objects in other models (production extension), a required extension that may
+/// change the geometry, an object whose mesh only stands for its slices, and what goes beyond
+/// `limits`.
+std::vector<MeshObject> decode_three_mf(const std::filesystem::path& file, std::string_view bytes,
+                                        const MeshLimits& limits = {});
 
 }  // namespace latticast

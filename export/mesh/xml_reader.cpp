@@ -42,6 +42,23 @@ struct XmlReader::Parser {
     }
   }
 
+  // The parser begins an element anew with each piece until it has all of it: a long one must come
+  // in few pieces. They grow twofold while it makes no headway.
+  void take(std::string_view piece) {
+    waiting.append(piece);
+    if (waiting.size() < enough) return;
+    const XML_Index before = XML_GetCurrentByteIndex(expat.get());
+    parse(waiting, false);
+    const bool goes_on = XML_GetCurrentByteIndex(expat.get()) != before;
+    enough = goes_on ? least : 2 * enough;
+    waiting.clear();
+  }
+
+  void finish() {
+    parse(waiting, false);
+    parse({}, true);
+  }
+
   void parse(std::string_view piece, bool last) {
     const XML_Status status =
         XML_Parse(expat.get(), piece.data(), static_cast<int>(piece.size()), last ? 1 : 0);
@@ -65,6 +82,19 @@ struct XmlReader::Parser {
     parser.guard([&] { parser.events.end(name); });
   }
 
+  static void text(void* data, const char* characters, int size) {
+    Parser& parser = of(data);
+    parser.guard(
+        [&] { parser.events.text(std::string_view(characters, static_cast<std::size_t>(size))); });
+  }
+
+  static void prefix(void* data, const char* name, const char* name_space) {
+    Parser& parser = of(data);
+    parser.guard([&] {
+      parser.events.prefix(name == nullptr ? "" : name, name_space == nullptr ? "" : name_space);
+    });
+  }
+
   static void refuse_document_type(void* data, const char* /*name*/, const char* /*system*/,
                                    const char* /*public_name*/, int /*internal*/) {
     Parser& parser = of(data);
@@ -75,6 +105,10 @@ struct XmlReader::Parser {
   Events events;
   std::unique_ptr<XML_ParserStruct, Free> expat{XML_ParserCreateNS(nullptr, '|')};
   std::exception_ptr thrown;
+
+  static constexpr std::size_t least = 1U << 16U;
+  std::string waiting;
+  std::size_t enough = least;
 };
 
 XmlReader::XmlReader(std::filesystem::path file, Events events)
@@ -83,17 +117,21 @@ XmlReader::XmlReader(std::filesystem::path file, Events events)
   parser_->events = std::move(events);
   XML_SetUserData(parser_->expat.get(), parser_.get());
   XML_SetElementHandler(parser_->expat.get(), &Parser::start, &Parser::end);
+  if (parser_->events.text) XML_SetCharacterDataHandler(parser_->expat.get(), &Parser::text);
+  if (parser_->events.prefix) {
+    XML_SetStartNamespaceDeclHandler(parser_->expat.get(), &Parser::prefix);
+  }
   XML_SetStartDoctypeDeclHandler(parser_->expat.get(), &Parser::refuse_document_type);
 }
 
 XmlReader::~XmlReader() = default;
 
 void XmlReader::read(std::string_view piece) {
-  parser_->parse(piece, false);
+  parser_->take(piece);
 }
 
 void XmlReader::finish() {
-  parser_->parse({}, true);
+  parser_->finish();
 }
 
 std::size_t XmlReader::line_number() const {

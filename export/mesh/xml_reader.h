@@ -23,13 +23,17 @@ class XmlAttributes {
   const char** pairs_;
 };
 
-/// Reads a document piece by piece. Names are "NAMESPACE|NAME". Text between elements is passed
-/// over; a document type, and with it every entity of its own, is refused.
+/// Reads a document piece by piece. Names are "NAMESPACE|NAME", or "NAME" in none; a document type,
+/// and with it every entity of its own, is refused. Time grows with the bytes, however long a
+/// single attribute is.
 class XmlReader {
  public:
   struct Events {
     std::function<void(std::string_view name, const XmlAttributes&)> start;
     std::function<void(std::string_view name)> end;
+    std::function<void(std::string_view text)> text = {};  ///< between elements, in pieces
+    /// What a prefix stands for, before the element that says so.
+    std::function<void(std::string_view prefix, std::string_view name_space)> prefix = {};
   };
 
   XmlReader(std::filesystem::path file, Events events);

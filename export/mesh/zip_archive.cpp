@@ -2,6 +2,8 @@
 #include "export/mesh/zip_archive.h"
 
 #include <array>
+#include <charconv>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -26,6 +28,28 @@ struct FreeSource {
   void operator()(zip_source_t* source) const { zip_source_free(source); }
 };
 using Source = std::unique_ptr<zip_source_t, FreeSource>;
+
+/// A name in small letters, without its percent codes, backslashes and leading "/" or "./".
+std::string plain(std::string_view name) {
+  std::string result;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    unsigned code = 0;
+    if (name[i] == '%' && i + 2 < name.size() &&
+        std::from_chars(&name[i + 1], &name[i + 1] + 2, code, 16).ptr == &name[i + 1] + 2) {
+      result += static_cast<char>(code);
+      i += 2;
+    } else {
+      result += name[i] == '\\' ? '/' : name[i];
+    }
+  }
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  while (result.starts_with('/') || result.starts_with("./")) {
+    result.erase(0, result.front() == '/' ? 1 : 2);
+  }
+  return result;
+}
 
 [[noreturn]] void fail_to_zip() {
   throw std::runtime_error("a zip archive could not be made in memory");
@@ -84,6 +108,17 @@ std::string zip(std::span<const ZipEntry> entries) {
 }
 
 struct ZipReader::Archive {
+  std::optional<zip_uint64_t> find(const std::string& name) const {
+    const std::string wanted = plain(name);
+    const zip_int64_t count = zip_get_num_entries(open.get(), 0);
+    for (zip_int64_t i = 0; i < count; ++i) {
+      const auto index = static_cast<zip_uint64_t>(i);
+      const char* const entry = zip_get_name(open.get(), index, 0);
+      if (entry != nullptr && plain(entry) == wanted) return index;
+    }
+    return std::nullopt;
+  }
+
   std::unique_ptr<zip_t, DiscardArchive> open;
 };
 
@@ -101,10 +136,15 @@ ZipReader::ZipReader(std::filesystem::path file, std::string_view bytes)
 
 ZipReader::~ZipReader() = default;
 
+bool ZipReader::has(const std::string& name) const {
+  return archive_->find(name).has_value();
+}
+
 void ZipReader::read(const std::string& name,
                      const std::function<void(std::string_view)>& take) const {
+  const std::optional<zip_uint64_t> index = archive_->find(name);
   const std::unique_ptr<zip_file_t, CloseFile> entry(
-      zip_fopen(archive_->open.get(), name.c_str(), ZIP_FL_NOCASE));
+      index ? zip_fopen_index(archive_->open.get(), *index, 0) : nullptr);
   if (!entry) {
     throw FileError(file_, "has no readable \"" + name + "\" inside");
   }

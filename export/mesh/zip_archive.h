@@ -29,7 +29,11 @@ class ZipReader {
   ZipReader(const ZipReader&) = delete;
   ZipReader& operator=(const ZipReader&) = delete;
 
-  /// Hands on an entry's bytes piece by piece. Names are compared without case. Throws FileError
+  /// Whether there is an entry of this name. Names are compared without case, and with their
+  /// percent codes read: "a%20b" is "A b".
+  bool has(const std::string& name) const;
+
+  /// Hands on an entry's bytes piece by piece. Throws FileError
   /// when there is no such entry or its bytes or check sum are damaged, and what `take` throws.
   void read(const std::string& name, const std::function<void(std::string_view)>& take) const;
 

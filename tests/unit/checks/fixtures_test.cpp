@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every check has a design, or a mesh file, that it must reject for its reason and one, barely
-// good, that it must accept: tests/checks/CODE/rejected.toml (or .obj, .stl) and accepted.toml.
+// good, that it must accept: tests/checks/CODE/rejected.toml (or .obj, .stl, .3mf) and
+// accepted.toml.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -19,7 +20,7 @@ namespace {
 // The file of that name, whatever its kind.
 std::filesystem::path fixture(std::string_view code, const char* name) {
   const auto folder = std::filesystem::path(LATTICAST_SOURCE_DIR) / "tests/checks" / code;
-  for (const char* ending : {".toml", ".obj", ".stl"}) {
+  for (const char* ending : {".toml", ".obj", ".stl", ".3mf"}) {
     const std::filesystem::path file = folder / (std::string(name) + ending);
     if (std::filesystem::exists(file)) return file;
   }
@@ -29,7 +30,7 @@ std::filesystem::path fixture(std::string_view code, const char* name) {
 
 CheckFindings findings_of(const std::filesystem::path& file) {
   if (file.empty()) return {};
-  if (file.extension() != ".toml") return mesh_checks(read_mesh(file), file.filename().string());
+  if (file.extension() != ".toml") return mesh_checks(read_objects(file), file.filename().string());
   const ReadResult read = read_design_file(file, built_in_materials());
   for (const Issue& issue : read.issues) ADD_FAILURE() << describe(issue, file.string());
   return read.ok() ? check_design(read.design) : CheckFindings{};

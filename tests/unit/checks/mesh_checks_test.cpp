@@ -105,5 +105,27 @@ TEST(MeshChecks, WarnOfPartsBeyondAUsualBed) {
   EXPECT_EQ(size(230, 1, 1).size(), 1U);
 }
 
+TEST(MeshChecks, JudgePartsOfAFileOneByOne) {
+  const auto objects = [](double from) {
+    std::vector<MeshObject> boxes{{"left", {}}, {"", {}}};
+    add_box(boxes[0].mesh, {0, 0, 0}, {10, 20, 30});
+    add_box(boxes[1].mesh, {from, 0, 0}, {from + 10, 20, 30});
+    return boxes;
+  };
+  EXPECT_TRUE(mesh_checks(objects(10), "boxes.3mf").empty());
+  const auto overlap = mesh_checks(objects(9), "boxes.3mf");
+  ASSERT_EQ(overlap.size(), 1U);
+  EXPECT_EQ(overlap[0].code, "parts-overlap");
+  EXPECT_EQ(overlap[0].severity, Severity::note);
+  EXPECT_NEAR(*overlap[0].value, 1, 1e-9);
+  EXPECT_NE(overlap[0].message.find("\"left\" and object 2 overlap"), std::string::npos);
+  auto broken = objects(10);
+  broken[1].mesh.triangles.pop_back();
+  const auto open = mesh_checks(broken, "boxes.3mf");
+  ASSERT_EQ(open.size(), 1U);
+  EXPECT_EQ(open[0].code, "mesh-open-edge");
+  EXPECT_EQ(open[0].part, "boxes.3mf object 2");
+}
+
 }  // namespace
 }  // namespace latticast

@@ -12,24 +12,16 @@
 #include "design/file_error.h"
 #include "tests/unit/export/mesh/compare_meshes.h"
 #include "tests/unit/export/mesh/example_meshes.h"
+#include "tests/unit/export/mesh/glb_bytes.h"
 #include "tests/unit/export/test_folder.h"
 
 namespace latticast {
 namespace {
 
-using Json = nlohmann::json;
-
 std::uint32_t uint32_at(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
   std::memcpy(&value, bytes.data() + at, 4);
   return value;
-}
-
-std::string uint32_bytes(std::size_t number) {
-  const auto value = static_cast<std::uint32_t>(number);
-  std::string bytes(4, '\0');
-  std::memcpy(bytes.data(), &value, 4);
-  return bytes;
 }
 
 /// A GLB file taken apart by the book: a 12-byte header, a JSON chunk, a binary chunk.
@@ -63,16 +55,6 @@ struct Parts {
   std::string data;
 };
 
-/// A GLB file of this JSON and binary data, as another program might write it.
-std::string glb(const Json& json, std::string data) {
-  std::string text = json.dump();
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  data.resize((data.size() + 3) / 4 * 4, '\0');
-  return "glTF" + uint32_bytes(2) + uint32_bytes(28 + text.size() + data.size()) +
-         uint32_bytes(text.size()) + "JSON" + text + uint32_bytes(data.size()) +
-         std::string("BIN\0", 4) + data;
-}
-
 std::vector<Point> lifted(std::vector<Point> points, double height) {
   for (Point& point : points) {
     point[2] += height * point[0];
@@ -94,7 +76,7 @@ Scene example_scene(bool animated) {
 }
 
 TriangleMesh read(const std::string& bytes) {
-  return decode_glb("a.glb", bytes);
+  return joined(decode_glb("a.glb", bytes));
 }
 
 std::string complaint(const std::string& bytes) {
@@ -253,20 +235,6 @@ TEST(GlbFile, RefusesWhatItCannotHold) {
 }
 
 // --- Files of other programs --------------------------------------------------------------------
-
-/// One triangle (1, 2, 3), (4, 2, 3), (1, 5, 3) in metres.
-std::string three_points() {
-  const std::array<float, 9> points{1, 2, 3, 4, 2, 3, 1, 5, 3};
-  return {reinterpret_cast<const char*>(points.data()), sizeof points};
-}
-
-Json triangle_json() {
-  return Json::parse(R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
-    "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
-    "buffers": [{"byteLength": 36}], "bufferViews": [{"buffer": 0, "byteLength": 36}],
-    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
-                   "min": [1, 2, 3], "max": [4, 5, 3]}]})");
-}
 
 TEST(GlbReader, GivesMillimetresWithZUpward) {
   expect_same_mesh(read(glb(triangle_json(), three_points())),

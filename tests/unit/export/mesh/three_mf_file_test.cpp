@@ -12,6 +12,7 @@
 #include "export/mesh/zip_archive.h"
 #include "tests/unit/export/mesh/compare_meshes.h"
 #include "tests/unit/export/mesh/example_meshes.h"
+#include "tests/unit/export/mesh/three_mf_packages.h"
 #include "tests/unit/export/test_folder.h"
 
 // lib3mf does not free all that it takes from libzip; its own frame is in the stack only when that
@@ -151,7 +152,7 @@ TEST(ThreeMfFile, ReadsAllPartsInOrder) {
   for (const Triangle& t : hard_mesh().triangles) {
     both.triangles.push_back({t[0] + 4, t[1] + 4, t[2] + 4});
   }
-  expect_same_mesh(decode_three_mf("a.3mf", encode_three_mf(parts)), both);
+  expect_same_mesh(joined(decode_three_mf("a.3mf", encode_three_mf(parts))), both);
 }
 
 TEST(ThreeMfFile, RefusesWhatItCannotHold) {
@@ -178,42 +179,14 @@ TEST(ThreeMfFile, RefusesWhatItCannotHold) {
 
 // --- Files of other programs --------------------------------------------------------------------
 
-std::string package(const std::string& model, const std::string& target = "/3D/3dmodel.model") {
-  const std::string relationships =
-      "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
-      "<Relationship Target=\"/thumbnail.png\" Id=\"a\" Type=\"http://thumbnail\"/>"
-      "<Relationship Target=\"" +
-      target +
-      "\" Id=\"b\" Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>"
-      "</Relationships>";
-  return zip(
-      std::array<ZipEntry, 2>{{{"_rels/.rels", relationships}, {"3D/3dmodel.model", model}}});
-}
-
-std::string model_of(const std::string& resources, const std::string& build,
-                     const std::string& attributes = "") {
-  return "<?xml version=\"1.0\"?>\n<c:model " + attributes +
-         " xmlns:c=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\" "
-         "xmlns:s=\"http://schemas.microsoft.com/3dmanufacturing/slice/2015/07\" "
-         "xmlns:p=\"http://schemas.microsoft.com/3dmanufacturing/production/2015/06\">\n"
-         "<c:resources><s:slicestack id=\"9\"><s:slice><s:vertices><s:vertex x=\"5\" y=\"6\"/>"
-         "</s:vertices></s:slice></s:slicestack>\n" +
-         resources + "</c:resources>\n<c:build>" + build + "</c:build></c:model>";
-}
-
-const std::string triangle_object =
-    "<c:object id=\"1\" type=\"model\"><c:mesh><c:vertices><c:vertex x=\"1\" y=\"2\" z=\"+3e0\"/>"
-    "<c:vertex x=\"4\" y=\"2.0\" z=\"3\"/><c:vertex x=\"1\" y=\"5\" z=\"3\"/></c:vertices>"
-    "<c:triangles><c:triangle v1=\"0\" v2=\"1\" v3=\"2\"/></c:triangles></c:mesh></c:object>\n";
-
 TriangleMesh read(const std::string& resources, const std::string& build,
                   const std::string& attributes = "") {
-  return decode_three_mf("a.3mf", package(model_of(resources, build, attributes)));
+  return joined(decode_three_mf("a.3mf", package(model_of(resources, build, attributes))));
 }
 
 std::string complaint(const std::string& bytes) {
   try {
-    const TriangleMesh mesh = decode_three_mf("a.3mf", bytes);
+    const TriangleMesh mesh = joined(decode_three_mf("a.3mf", bytes));
     for (const Triangle& triangle : mesh.triangles) {
       for (const std::uint32_t corner : triangle) {
         EXPECT_LT(corner, mesh.vertices.size());
