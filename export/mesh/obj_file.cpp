@@ -7,9 +7,11 @@
 #include <optional>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "design/file_error.h"
 #include "export/mesh/line_reader.h"
+#include "geometry/polygon/face_list.h"
 
 namespace latticast {
 namespace {
@@ -41,6 +43,7 @@ class ObjReader {
         read_face();
       }
     }
+    mesh_.triangles = std::move(faces_).triangles(mesh_.vertices);
     return std::move(mesh_);
   }
 
@@ -67,8 +70,7 @@ class ObjReader {
     const char* const end = word.data() + word.size();
     const auto parsed = std::from_chars(word.data(), end, number);
     if (parsed.ec != std::errc() || (parsed.ptr != end && *parsed.ptr != '/')) {
-      // Appended: g++ 12 warns about a sum that begins with a literal.
-      fail(std::string("\"").append(word).append("\" is not a vertex number"));
+      fail(quoted(word) + " is not a vertex number");
     }
     const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
     const std::int64_t index = number < 0 ? count + number : number - 1;
@@ -79,26 +81,24 @@ class ObjReader {
   }
 
   void read_face() {
-    std::array<std::uint32_t, 3> fan{};
-    int corners = 0;
+    corners_.clear();
     for (std::string_view word = lines_.next_word(); !word.empty(); word = lines_.next_word()) {
       if (word.starts_with('#')) {
         break;
       }
-      const std::uint32_t corner = vertex_index(word);
-      fan = corners == 0 ? std::array{corner, corner, corner} : std::array{fan[0], fan[2], corner};
-      if (++corners >= 3) {
-        mesh_.triangles.push_back(fan);
-      }
+      corners_.push_back(vertex_index(word));
     }
-    if (corners < 3) {
+    if (corners_.size() < 3) {
       fail("a face needs three vertices");
     }
+    faces_.add(corners_);
   }
 
   const std::filesystem::path& file_;
   LineReader lines_;
   TriangleMesh mesh_;
+  FaceList faces_;
+  std::vector<std::uint32_t> corners_;  ///< of the face that is read
 };
 
 }  // namespace

@@ -9,9 +9,11 @@
 #include <optional>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "design/file_error.h"
 #include "export/mesh/line_reader.h"
+#include "geometry/polygon/face_list.h"
 
 namespace latticast {
 namespace {
@@ -38,6 +40,7 @@ class OffReader {
     if (next_line()) {
       fail("is left over");
     }
+    mesh_.triangles = std::move(face_list_).triangles(mesh_.vertices);
     return std::move(mesh_);
   }
 
@@ -76,7 +79,7 @@ class OffReader {
     const char* const end = word.data() + word.size();
     const auto parsed = std::from_chars(word.data(), end, number);
     if (word.empty() || parsed.ec != std::errc() || parsed.ptr != end) {
-      fail(std::string("\"").append(word).append("\" is not ").append(what));
+      fail(quoted(word) + " is not " + what);
     }
     return number;
   }
@@ -125,12 +128,11 @@ class OffReader {
     if (corners < 3) {
       fail("a face needs three vertices");
     }
-    Triangle fan = {corner(), corner(), corner()};
-    mesh_.triangles.push_back(fan);
-    for (std::uint64_t i = 3; i < corners; ++i) {
-      fan = {fan[0], fan[2], corner()};
-      mesh_.triangles.push_back(fan);
+    corners_.clear();
+    for (std::uint64_t i = 0; i < corners; ++i) {
+      corners_.push_back(corner());
     }
+    face_list_.add(corners_);
   }
 
   const std::filesystem::path& file_;
@@ -139,6 +141,8 @@ class OffReader {
   std::uint64_t vertices_ = 0;
   std::uint64_t faces_ = 0;
   TriangleMesh mesh_;
+  FaceList face_list_;
+  std::vector<std::uint32_t> corners_;  ///< of the face that is read
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace latticast {
 std::string encode_off(const TriangleMesh& mesh);
 
 /// The vertices and faces of OFF text, vertices shared as the file shares them. Faces of more than
-/// three corners become fans from their first corner; colours after a vertex or a face, empty lines
+/// three corners become triangles in their plane (polygon_triangles.h); colours after a vertex or a face, empty lines
 /// and comments from "#" are passed over. The word may be COFF (vertices with colours) or missing,
 /// as Geomview has it. Throws FileError naming `file` and the line for another word (normals,
 /// texture, four or n dimensions, binary), for what cannot be read, and for a vertex or face that

@@ -12,11 +12,13 @@
 #include <stdexcept>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "design/file_error.h"
 #include "export/mesh/line_reader.h"
 #include "export/mesh/little_endian.h"
 #include "export/mesh/ply_header.h"
+#include "geometry/polygon/face_list.h"
 
 namespace latticast {
 namespace {
@@ -56,7 +58,7 @@ class TextValues {
     const std::string_view word = next_word();
     const std::optional<float> value = float32_of(word);
     if (!value) {
-      throw BadValue{std::string("\"").append(word).append("\" is no number")};
+      throw BadValue{quoted(word) + " is no number"};
     }
     return *value;
   }
@@ -66,7 +68,7 @@ class TextValues {
     std::int64_t value = 0;
     const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
     if (parsed.ec != std::errc() || parsed.ptr != word.data() + word.size()) {
-      throw BadValue{std::string("\"").append(word).append("\" is no integer")};
+      throw BadValue{quoted(word) + " is no integer"};
     }
     return value;
   }
@@ -139,8 +141,10 @@ class BinaryValues {
   bool reversed_;
 };
 
-/// What becomes of a property: a coordinate (0, 1, 2), the corners of a face, or nothing.
+/// What becomes of a property: a coordinate (0, 1, 2), the corners of a face or of strips, or
+/// nothing.
 constexpr int use_as_corners = 3;
+constexpr int use_as_strips = 4;
 constexpr int passed_over = -1;
 
 int use_of(const PlyElement& element, const PlyProperty& property) {
@@ -153,6 +157,10 @@ int use_of(const PlyElement& element, const PlyProperty& property) {
   if (element.name == "face" && names_corners && property.list_length &&
       is_integer(property.type)) {
     return use_as_corners;
+  }
+  if (element.name == "tristrips" && names_corners && property.list_length &&
+      is_integer(property.type)) {
+    return use_as_strips;
   }
   return passed_over;
 }
@@ -175,6 +183,7 @@ class BodyReader {
     if (!values_.at_end()) {
       throw FileError(file_, "goes on after the last element that its header names");
     }
+    mesh_.triangles = std::move(faces_).triangles(mesh_.vertices);
     return std::move(mesh_);
   }
 
@@ -206,6 +215,8 @@ class BodyReader {
       const PlyProperty& property = element.properties[i];
       if (uses[i] == use_as_corners) {
         read_face(property);
+      } else if (uses[i] == use_as_strips) {
+        read_strips(property);
       } else if (uses[i] != passed_over) {
         point[uses[i]] = values_.number(property.type);
       } else {
@@ -237,16 +248,37 @@ class BodyReader {
     if (count < 3) {
       throw BadValue{"a face needs three vertices"};
     }
-    Triangle fan{};
+    corners_.clear();
     for (std::int64_t i = 0; i < count; ++i) {
-      const std::int64_t corner = values_.integer(property.type);
-      if (corner < 0 || static_cast<std::uint64_t>(corner) >= vertex_count_) {
-        throw BadValue{"there is no vertex " + std::to_string(corner)};
+      corners_.push_back(vertex(values_.integer(property.type)));
+    }
+    faces_.add(corners_);
+  }
+
+  std::uint32_t vertex(std::int64_t number) const {
+    if (number < 0 || static_cast<std::uint64_t>(number) >= vertex_count_) {
+      throw BadValue{"there is no vertex " + std::to_string(number)};
+    }
+    return static_cast<std::uint32_t>(number);
+  }
+
+  void read_strips(const PlyProperty& property) {
+    const std::int64_t count = length_of_list(property);
+    Triangle last{};
+    std::int64_t length = 0;  // of the strip so far
+    for (std::int64_t i = 0; i < count; ++i) {
+      const std::int64_t number = values_.integer(property.type);
+      if (number == -1) {
+        length = 0;
+        continue;
       }
-      const auto vertex = static_cast<std::uint32_t>(corner);
-      fan = i == 0 ? Triangle{vertex, vertex, vertex} : Triangle{fan[0], fan[2], vertex};
-      if (i >= 2) {
-        mesh_.triangles.push_back(fan);
+      last = {last[1], last[2], vertex(number)};
+      if (++length < 3) {
+        continue;
+      }
+      const Triangle facing = length % 2 == 1 ? last : Triangle{last[1], last[0], last[2]};
+      if (facing[0] != facing[1] && facing[1] != facing[2] && facing[2] != facing[0]) {
+        faces_.add(facing);
       }
     }
   }
@@ -256,6 +288,8 @@ class BodyReader {
   Values values_;
   std::size_t vertex_count_ = 0;
   TriangleMesh mesh_;
+  FaceList faces_;
+  std::vector<std::uint32_t> corners_;  ///< of the face that is read
 };
 
 }  // namespace

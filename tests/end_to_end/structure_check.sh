@@ -23,6 +23,7 @@ numerics
 design/material
 design                   design/material
 geometry/mesh
+geometry/polygon         geometry/mesh
 geometry/pattern         numerics design geometry/mesh
 geometry/solid           numerics design geometry/mesh geometry/pattern
 model/numerics
@@ -38,7 +39,7 @@ model/shape              design geometry model/numerics model/law model/strand m
 model                    numerics design geometry/mesh geometry/pattern model
 molds                    design geometry
 export                   design geometry/mesh
-export/mesh              design geometry/mesh export/.
+export/mesh              design geometry/mesh geometry/polygon export/.
 export/picture           design geometry/mesh export/.
 export/flat              design export/.
 prepared                 design geometry model molds
@@ -55,7 +56,7 @@ owners='
 ^toml\+\+/           design
 ^fmt/                design geometry/mesh geometry/pattern geometry/solid model molds export checks report app
 ^Eigen/              geometry/mesh geometry/pattern geometry/solid model
-^(CGAL|boost)/       geometry/solid molds
+^(CGAL|boost)/       geometry/polygon geometry/solid molds
 ^polyclipping/       geometry/solid
 ^(gmp|gmpxx|mpfr)\.h geometry/solid molds
 ^(sundials|kinsol|cvodes|nvector|sunmatrix|sunlinsol|sunnonlinsol)/ model
