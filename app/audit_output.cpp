@@ -5,11 +5,14 @@
 
 #include <fmt/core.h>
 
+#include "checks/mesh_checks.h"
+#include "design/text/written_number.h"
+
 namespace latticast {
 
 std::string audit_summary(const Audit& audit) {
-  return fmt::format("closed, {} piece{}, genus {}, {:.6g} mm3, {} triangles", audit.components,
-                     audit.components == 1 ? "" : "s", audit.genus, audit.volume_mm3,
+  return fmt::format("closed, {} piece{}, genus {}, {} mm3, {} triangles", audit.components,
+                     audit.components == 1 ? "" : "s", audit.genus, written(audit.volume_mm3, 6),
                      audit.triangles);
 }
 
@@ -20,8 +23,9 @@ std::string audit_findings(const Audit& audit) {
     if (i == 0 || audit.findings[i - 1].defect != finding.defect) {
       text += fmt::format("  {}: {}\n", name(finding.defect), audit.count(finding.defect));
     }
-    text += fmt::format("    at x {:.6g}, y {:.6g}, z {:.6g} (triangle {})\n", finding.where[0],
-                        finding.where[1], finding.where[2], finding.triangle);
+    text +=
+        fmt::format("    at x {}, y {}, z {} (triangle {})\n", written(finding.where[0], 6),
+                    written(finding.where[1], 6), written(finding.where[2], 6), finding.triangle);
   }
   if (!audit.searched_intersections) {
     text += "  self-intersections were not searched: not every coordinate is finite\n";
@@ -48,10 +52,11 @@ std::string overlap_notes(const std::vector<MeshObject>& objects, const PartOver
   for (std::size_t i = 0; i < std::min(listed, overlaps.found.size()); ++i) {
     const PartOverlap& overlap = overlaps.found[i];
     text += fmt::format(
-        "  note: {} and {} overlap, {:.2g} mm deep at x {:.6g}, y {:.6g}, z {:.6g}; "
-        "{:.2g} mm3 belong to both\n",
-        title_of(objects, overlap.first), title_of(objects, overlap.second), overlap.depth_mm,
-        overlap.where[0], overlap.where[1], overlap.where[2], overlap.volume_mm3);
+        "  note: {} and {} overlap, {} mm deep at x {}, y {}, z {}; "
+        "about {} mm3 belong to both\n",
+        title_of(objects, overlap.first), title_of(objects, overlap.second),
+        written(overlap.depth_mm, 2), written(overlap.where[0], 6), written(overlap.where[1], 6),
+        written(overlap.where[2], 6), written(overlap.volume_mm3, 2));
   }
   if (overlaps.found.size() > listed) {
     text += fmt::format("  note: {} pairs of parts overlap\n", overlaps.found.size());
@@ -77,6 +82,8 @@ std::string audit_report(const std::string& file, const std::vector<MeshObject>&
     if (objects.size() > 1) text += fmt::format("  {}:\n", title_of(objects, i));
     text += audit_findings(audits[i]);
   }
+  const std::string hint = unit_hint(audits);
+  if (!hint.empty()) text += "  note: " + hint + "\n";
   return text + overlap_notes(objects, overlaps);
 }
 

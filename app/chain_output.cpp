@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "model/shape/shape.h"
 
@@ -96,9 +97,10 @@ std::string reach_summary(const ChainResponse& chain, std::span<const Segment> s
   }
   if (found == 0) return "no case has an equilibrium";
   return fmt::format(
-      "{} of {} cases have an equilibrium; the tip is {:.3g} to {:.4g} mm off the base's axis and "
-      "{:.4g} to {:.4g} mm above the base",
-      found, chain.cases.size(), nearest, farthest, lowest, highest);
+      "{} of {} cases have an equilibrium; the tip is {} to {} mm off the base's axis and "
+      "{} to {} mm above the base",
+      found, chain.cases.size(), written(nearest, 3), written(farthest, 4), written(lowest, 4),
+      written(highest, 4));
 }
 
 }  // namespace latticast

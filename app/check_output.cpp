@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "checks/findings_json.h"
+#include "design/text/written_number.h"
 
 namespace latticast {
 namespace {
@@ -18,7 +19,7 @@ std::string place_text(const CheckFinding& finding) {
     add(fmt::format("theta {:.1f} degrees, z {:.2f} mm", finding.place->theta_deg,
                     finding.place->z_mm));
   }
-  if (finding.pressure_kpa) add(fmt::format("at {:.4g} kPa", *finding.pressure_kpa));
+  if (finding.pressure_kpa) add(fmt::format("at {} kPa", written(*finding.pressure_kpa, 4)));
   return text;
 }
 

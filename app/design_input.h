@@ -16,7 +16,8 @@ namespace latticast {
 std::optional<MaterialLibrary> load_materials(const std::optional<std::filesystem::path>& file,
                                               const Console& console);
 
-/// The design in a file; empty after reporting every problem of it. Throws FileError.
+/// The design in a file; empty after reporting every problem of it, or that it is a mesh or in a
+/// format that is not read. Throws FileError.
 std::optional<Design> load_design(const std::filesystem::path& file,
                                   const MaterialLibrary& materials, const Console& console);
 

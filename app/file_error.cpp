@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "geometry/solid/tube_solids.h"
 
 namespace latticast {
@@ -25,8 +26,8 @@ SolidError error_of_file(const Solid& solid, const Audit& written) {
 }
 
 std::string describe(const SolidError& error) {
-  return fmt::format("within {:.2g} mm of the drawn surface, volume to {:.2g} mm3",
-                     error.surface_mm, error.volume_mm3);
+  return fmt::format("within {} mm of the drawn surface, volume to {} mm3",
+                     written(error.surface_mm, 2), written(error.volume_mm3, 2));
 }
 
 }  // namespace latticast

@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
+
 namespace latticast {
 namespace {
 
@@ -38,10 +40,10 @@ FlatDrawing flat_drawing(const Design& design, std::size_t segment, const FlatPa
 std::string describe(const FlatPattern& sheet) {
   std::size_t holes = 0;
   for (const FlatPiece& piece : sheet.pieces) holes += piece.holes.size();
-  return fmt::format(
-      "{:.6g} mm around (R = {:.6g} mm), {:.6g} mm along, {}, {}, outlines to {:.2g} mm",
-      sheet.circumference_mm, sheet.radius_mm, sheet.length_mm,
-      counted(sheet.pieces.size(), "piece"), counted(holes, "hole"), sheet.error.distance_mm);
+  return fmt::format("{} mm around (R = {} mm), {} mm along, {}, {}, outlines to {} mm",
+                     written(sheet.circumference_mm, 6), written(sheet.radius_mm, 6),
+                     written(sheet.length_mm, 6), counted(sheet.pieces.size(), "piece"),
+                     counted(holes, "hole"), written(sheet.error.distance_mm, 2));
 }
 
 }  // namespace latticast

@@ -3,6 +3,7 @@
 
 #include "app/makers.h"
 #include "design/design.h"
+#include "design/text/written_number.h"
 #include "export/mesh/glb_file.h"
 #include "export/picture/png_file.h"
 #include "model/shape/shape.h"
@@ -54,9 +55,9 @@ RestPart rest_part(Build& build, std::size_t s, bool is_liner, const SolidOption
                 {}};
   if (!delivery.writes(MeshFormat::ply)) return rest;
   rest.colours = strain_colours(segment, s, is_liner, rest.solid.mesh, options, shapes);
-  delivery.tell(fmt::format("{}: colours in PLY from strain {:g} to {:g}\n",
+  delivery.tell(fmt::format("{}: colours in PLY from strain {} to {}\n",
                             delivery.part_name(s, fmt::format("preview-{}", rest.kind())),
-                            rest.colours.ramp.low, rest.colours.ramp.high));
+                            written(rest.colours.ramp.low, 6), written(rest.colours.ramp.high, 6)));
   return rest;
 }
 

@@ -7,6 +7,7 @@
 
 #include "app/design_input.h"
 #include "design/nearest_name.h"
+#include "design/text/written_number.h"
 
 namespace latticast {
 namespace {
@@ -16,15 +17,15 @@ std::string entry_text(const Material& material) {
       fmt::format("{}\n  law                  {}\n", material.name, law_text(material.law));
   const auto add = [&](std::string_view label, const std::optional<double>& value, double factor,
                        std::string_view unit) {
-    if (value) text += fmt::format("  {:<20} {:g} {}\n", label, *value * factor, unit);
+    if (value) text += fmt::format("  {:<20} {} {}\n", label, written(*value * factor, 6), unit);
   };
   add("fitted to strain", material.max_strain, 100, "%");
   add("elongation at break", material.elongation_at_break, 100, "%");
   add("density", material.density_g_per_cm3, 1, "g/cm3");
   if (material.modulus_low_factor || material.modulus_high_factor) {
-    text += fmt::format("  {:<20} {:g} to {:g} times the stated modulus\n", "modulus band",
-                        material.modulus_low_factor.value_or(1),
-                        material.modulus_high_factor.value_or(1));
+    text += fmt::format("  {:<20} {} to {} times the stated modulus\n", "modulus band",
+                        written(material.modulus_low_factor.value_or(1), 6),
+                        written(material.modulus_high_factor.value_or(1), 6));
   }
   text += fmt::format("  {:<20} {}\n", "source", material.source);
   if (!material.note.empty()) text += fmt::format("  {:<20} {}\n", "note", material.note);

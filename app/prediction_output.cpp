@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "design/text/written_number.h"
 #include "design/units.h"
 
 namespace latticast {
@@ -152,7 +153,7 @@ std::string prediction_table(const Design& design, const Prediction& prediction,
   for (std::size_t s = 0; s < prediction.segments.size(); ++s) {
     const SegmentPrediction& result = prediction.segments[s];
     const Segment& segment = design.segments[s];
-    text += fmt::format("segment {}: {:g} mm, liner {}\n", s + 1, segment.length_mm,
+    text += fmt::format("segment {}: {} mm, liner {}\n", s + 1, written(segment.length_mm, 6),
                         segment.liner.material.name);
     text += fmt::format("{:>9} {:>8} {:>9} {:>8} {:>8}", "P kPa", "stretch", "twist deg", "r_i mm",
                         "r_o mm");

@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
+
 namespace latticast {
 
 // The larger side is compared with the bed's larger one: either lies along the other after a
@@ -27,9 +29,10 @@ std::optional<CheckFinding> bed_finding(const std::string& part, const StandingS
     return std::nullopt;
   }
   finding.message = fmt::format(
-      "is {:.4g} x {:.4g} x {:.4g} mm, standing on its end; the printer takes {:.4g} x {:.4g} x "
-      "{:.4g} mm",
-      size.width_mm, size.depth_mm, size.height_mm, bed_mm[0], bed_mm[1], bed_mm[2]);
+      "is {} x {} x {} mm, standing on its end; the printer takes {} x {} x "
+      "{} mm",
+      written(size.width_mm, 4), written(size.depth_mm, 4), written(size.height_mm, 4),
+      written(bed_mm[0], 4), written(bed_mm[1], 4), written(bed_mm[2], 4));
   return finding;
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "geometry/pattern/rings.h"
 #include "model/bulging.h"
@@ -64,10 +65,11 @@ bool add_ballooning(const LoadedSegment& loaded, Bulges& bulges, std::size_t kin
   finding.value = kpa_from_mpa(bulge.load_mpa);
   finding.limit = kpa_from_mpa(bulge.largest_load_mpa) / margin;
   finding.message = fmt::format(
-      "{} through the gaps from {:.3g} kPa on: at {:.4g} kPa they are {:.3g} mm wide, the lattice "
-      "beside them holds {:.3g} kPa, and the wall in them balloons at {:.3g} kPa",
-      margin > 1 ? "is near ballooning" : "balloons", beyond->from_kpa, beyond->worst_kpa,
-      bulge.gap_mm, *finding.value, kpa_from_mpa(bulge.largest_load_mpa));
+      "{} through the gaps from {} kPa on: at {} kPa they are {} mm wide, the lattice "
+      "beside them holds {} kPa, and the wall in them balloons at {} kPa",
+      margin > 1 ? "is near ballooning" : "balloons", written(beyond->from_kpa, 3),
+      written(beyond->worst_kpa, 4), written(bulge.gap_mm, 3), written(*finding.value, 3),
+      written(kpa_from_mpa(bulge.largest_load_mpa), 3));
   finding.remedy = remedy(*beyond, bulge.members);
   findings.push_back(std::move(finding));
   return true;
@@ -86,9 +88,10 @@ void add_bulging(const LoadedSegment& loaded, Bulges& bulges, CheckFindings& fin
   if (!beyond) return;
   CheckFinding finding = finding_of(loaded, measure, *beyond);
   finding.message = fmt::format(
-      "stands out beyond the lattice in its gaps from {:.3g} kPa on; at {:.4g} kPa it bulges by "
-      "{:.3g} mm, and the lattice is {:.3g} mm thick",
-      beyond->from_kpa, beyond->worst_kpa, beyond->worst, thickness);
+      "stands out beyond the lattice in its gaps from {} kPa on; at {} kPa it bulges by "
+      "{} mm, and the lattice is {} mm thick",
+      written(beyond->from_kpa, 3), written(beyond->worst_kpa, 4), written(beyond->worst, 3),
+      written(thickness, 3));
   finding.remedy = remedy(*beyond, bulges.highest_at_kpa(beyond->worst_kpa).members);
   findings.push_back(std::move(finding));
 }
@@ -143,10 +146,11 @@ void check_ring_distance(const LoadedSegment& loaded, CheckFindings& findings) {
   finding.limit = limit;
   finding.unit = "mm";
   finding.message = fmt::format(
-      "are {:.3g} mm apart; beyond {:.3g} mm this liner does not feel them in between, and the "
+      "are {} mm apart; beyond {} mm this liner does not feel them in between, and the "
       "prediction, which spreads them evenly, is too stiff",
-      clear, limit);
-  finding.remedy = fmt::format("pitch = {:.3g}", std::floor(10 * (limit + rings.width_mm)) / 10);
+      written(clear, 3), written(limit, 3));
+  finding.remedy =
+      fmt::format("pitch = {}", written(std::floor(10 * (limit + rings.width_mm)) / 10, 3));
   findings.push_back(std::move(finding));
 }
 

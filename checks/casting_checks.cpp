@@ -13,6 +13,7 @@
 #include "checks/lattice_use.h"
 #include "checks/strand_checks.h"
 #include "design/design.h"
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/solid/geometry_error.h"
@@ -101,13 +102,14 @@ class MoldChecks {
     finding.limit = limit;
     finding.unit = "mm";
     finding.message = fmt::format(
-        "a wall of {:.4g} mm leaves {:.3g} mm under the strap grooves; the printer's least wall is "
-        "{:.3g} mm",
-        wall, left, limit);
+        "a wall of {} mm leaves {} mm under the strap grooves; the printer's least wall is "
+        "{} mm",
+        written(wall, 4), written(left, 3), written(limit, 3));
     const double thin = limit / (1 - strap_share_of_wall);
     const double enough =
         strap_share_of_wall * thin <= deepest_strap_mm ? thin : limit + deepest_strap_mm;
-    finding.remedy = fmt::format("{}.wall = {:.4g}", key, std::ceil(1000 * enough - 1e-6) / 1000);
+    finding.remedy =
+        fmt::format("{}.wall = {}", key, written(std::ceil(1000 * enough - 1e-6) / 1000, 4));
     findings_.push_back(std::move(finding));
   }
 
@@ -147,11 +149,12 @@ class MoldChecks {
     finding.value = depth / width;
     finding.limit = deepest_groove;
     finding.message = fmt::format(
-        "the narrowest groove is {:.3g} mm wide and {:.3g} mm deep, {:.3g} times its width; up to "
-        "{:.3g} times fill and release well",
-        width, depth, depth / width, deepest_groove);
-    finding.remedy = fmt::format("lattice.thickness = {:.3g}, or wider strands",
-                                 std::floor(1000 * deepest_groove * width) / 1000);
+        "the narrowest groove is {} mm wide and {} mm deep, {} times its width; up to "
+        "{} times fill and release well",
+        written(width, 3), written(depth, 3), written(depth / width, 3),
+        written(deepest_groove, 3));
+    finding.remedy = fmt::format("lattice.thickness = {}, or wider strands",
+                                 written(std::floor(1000 * deepest_groove * width) / 1000, 3));
     findings_.push_back(std::move(finding));
   }
 
@@ -167,10 +170,10 @@ class MoldChecks {
     finding.value = worst.strain;
     finding.limit = limit;
     finding.message = fmt::format(
-        "taking it off squeezes a strand of {:.3g} mm by {:.3g} mm, a strain of {:.3g}; {} should "
-        "bear no more than {:.3g}",
-        worst.strand_width_mm, worst.undercut_mm, worst.strain, segment_.lattice->material.name,
-        limit);
+        "taking it off squeezes a strand of {} mm by {} mm, a strain of {}; {} should "
+        "bear no more than {}",
+        written(worst.strand_width_mm, 3), written(worst.undercut_mm, 3), written(worst.strain, 3),
+        segment_.lattice->material.name, written(limit, 3));
     finding.remedy = gentler_parting();
     findings_.push_back(std::move(finding));
   }
@@ -220,9 +223,9 @@ class MoldChecks {
     finding.limit = limit;
     finding.unit = "mm";
     finding.message = fmt::format(
-        "a bore inside a strand is {:.3g} mm wide; below the printer's least gap of {:.3g} mm it "
+        "a bore inside a strand is {} mm wide; below the printer's least gap of {} mm it "
         "prints shut, and air stays in the groove",
-        2 * bore.radius_mm, limit);
+        written(2 * bore.radius_mm, 3), written(limit, 3));
     finding.remedy = "drill it, or use wider strands where they end in high points";
     findings_.push_back(std::move(finding));
   }
@@ -238,9 +241,9 @@ class MoldChecks {
     finding.limit = mixed;
     finding.unit = "ml";
     finding.message = fmt::format(
-        "cavity, bores and the film between lands and core take up to {:.3g} ml; the procedure "
-        "mixes {:.3g} ml for a lattice of {:.3g} ml",
-        needed, mixed, 1e-3 * cavity);
+        "cavity, bores and the film between lands and core take up to {} ml; the procedure "
+        "mixes {} ml for a lattice of {} ml",
+        written(needed, 3), written(mixed, 3), written(1e-3 * cavity, 3));
     finding.remedy = fmt::format("mix {:.0f} ml, or use a finer clearance", std::ceil(needed));
     findings_.push_back(std::move(finding));
   }

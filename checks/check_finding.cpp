@@ -106,6 +106,8 @@ constexpr std::array codes = {
     CheckCode{"mesh-inside-out", Severity::error, "a body faces the wrong way"},
     CheckCode{"mesh-thin-wall", Severity::warning, "walls are thinner than melted plastic prints"},
     CheckCode{"enclosed-void", Severity::warning, "a cavity has no way out"},
+    CheckCode{"mesh-too-small", Severity::warning,
+              "a file is so small that its unit may be another"},
     CheckCode{"parts-overlap", Severity::note, "two parts of a file claim the same room"},
 };
 

@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "checks/strand_stations.h"
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "geometry/pattern/rings.h"
 #include "geometry/pattern/strand_path.h"
@@ -64,9 +65,9 @@ void check_gap(const LoadedSegment& loaded, const std::string& part,
   if (!beyond) return;
   CheckFinding finding = finding_of(loaded, measure, *beyond);
   finding.message = fmt::format(
-      "touch each other from {:.3g} kPa on; at {:.4g} kPa {:.3g} mm are missing between them, and "
+      "touch each other from {} kPa on; at {} kPa {} mm are missing between them, and "
       "contact is not modelled",
-      beyond->from_kpa, beyond->worst_kpa, -beyond->worst);
+      written(beyond->from_kpa, 3), written(beyond->worst_kpa, 4), written(-beyond->worst, 3));
   finding.remedy = pressure_remedy(beyond->safe_kpa) + ", fewer of them, or narrower ones";
   findings.push_back(std::move(finding));
 }
@@ -107,9 +108,10 @@ void check_folds(const LoadedSegment& loaded, CheckFindings& findings) {
   if (!beyond) return;
   CheckFinding finding = finding_of(loaded, measure, *beyond);
   finding.message = fmt::format(
-      "its shortened side folds into creases from {:.3g} kPa on: its stretch over that across the "
-      "wall is {:.3g} at {:.4g} kPa, and rubber creases below {:.3g}",
-      beyond->from_kpa, beyond->worst, beyond->worst_kpa, creasing);
+      "its shortened side folds into creases from {} kPa on: its stretch over that across the "
+      "wall is {} at {} kPa, and rubber creases below {}",
+      written(beyond->from_kpa, 3), written(beyond->worst, 3), written(beyond->worst_kpa, 4),
+      written(creasing, 3));
   finding.remedy = pressure_remedy(beyond->safe_kpa);
   findings.push_back(std::move(finding));
 }

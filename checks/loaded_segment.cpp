@@ -6,6 +6,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "model/segment_response.h"
 
 namespace latticast {
@@ -151,7 +152,7 @@ std::string pressure_remedy(double limit_kpa) {
   if (limit_kpa == 0) return "no pressure";
   const double step = std::pow(10, std::floor(std::log10(std::abs(limit_kpa))) - 2);
   const double rounded = std::trunc(limit_kpa / step) * step;
-  return fmt::format("pressure {} to {:.3g} kPa", rounded < 0 ? "down" : "up", rounded);
+  return fmt::format("pressure {} to {} kPa", rounded < 0 ? "down" : "up", written(rounded, 3));
 }
 
 }  // namespace latticast

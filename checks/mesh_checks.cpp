@@ -2,6 +2,7 @@
 #include "checks/mesh_checks.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -10,6 +11,7 @@
 
 #include "checks/bed_check.h"
 #include "checks/lattice_use.h"
+#include "design/text/written_number.h"
 #include "geometry/mesh/disjoint_sets.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/audit.h"
@@ -111,8 +113,8 @@ void check_voids(const TriangleMesh& mesh, const std::string& name, CheckFinding
     finding.limit = 0;
     finding.unit = "mm3";
     finding.message = fmt::format(
-        "a cavity of {:.4g} mm3 has no way out, at {}: resin, powder or supports stay in it",
-        -body.volume_mm3, place_text(body.first));
+        "a cavity of {} mm3 has no way out, at {}: resin, powder or supports stay in it",
+        written(-body.volume_mm3, 4), place_text(body.first));
     finding.remedy = "open it to the outside, or fill it";
     findings.push_back(std::move(finding));
   }
@@ -129,11 +131,12 @@ void check_walls(const TriangleMesh& mesh, const std::string& name, CheckFinding
   finding.limit = limit;
   finding.unit = "mm";
   finding.message = fmt::format(
-      "walls of {:.3g} mm, the thinnest at {}; {:.2g} % of the surface bounds walls thinner than "
-      "{:.3g} mm, two lines of a 0.4 mm nozzle (a file does not say its printer)",
-      found.least_mm, place_text(found.where), 100 * found.thinner_mm2 / found.surface_mm2, limit);
+      "walls of {} mm, the thinnest at {}; {} % of the surface bounds walls thinner than "
+      "{} mm, two lines of a 0.4 mm nozzle (a file does not say its printer)",
+      written(found.least_mm, 3), place_text(found.where),
+      written(100 * found.thinner_mm2 / found.surface_mm2, 2), written(limit, 3));
   finding.remedy = fmt::format(
-      "make them {:.3g} mm thick, or print with a process that makes such walls", limit);
+      "make them {} mm thick, or print with a process that makes such walls", written(limit, 3));
   findings.push_back(std::move(finding));
 }
 
@@ -150,17 +153,43 @@ void check_size(const Audit& found, const std::string& name, CheckFindings& find
   findings.push_back(std::move(*finding));
 }
 
-// Says whether the object is sound.
-bool check_object(const TriangleMesh& mesh, const std::string& name, CheckFindings& findings) {
+Audit check_object(const TriangleMesh& mesh, const std::string& name, CheckFindings& findings) {
   const TriangleMesh welded = weld(mesh);
-  const Audit found = audit(welded);
+  Audit found = audit(welded);
   check_defects(found, name, findings);
   if (found.passes()) {
     check_walls(welded, name, findings);
     check_voids(welded, name, findings);
   }
   if (found.count(Defect::not_finite) == 0) check_size(found, name, findings);
-  return found.passes();
+  return found;
+}
+
+Point size_of(const std::vector<Audit>& objects) {
+  Point lowest{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  Point highest{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  for (const Audit& object : objects) {
+    for (int axis = 0; axis < 3; ++axis) {
+      lowest[axis] = std::min(lowest[axis], object.lowest[axis]);
+      highest[axis] = std::max(highest[axis], object.highest[axis]);
+    }
+  }
+  return {highest[0] - lowest[0], highest[1] - lowest[1], highest[2] - lowest[2]};
+}
+
+void check_unit(const std::vector<Audit>& objects, const std::string& name,
+                CheckFindings& findings) {
+  const std::string hint = unit_hint(objects);
+  if (hint.empty()) return;
+  const Point size = size_of(objects);
+  CheckFinding finding = check_finding("mesh-too-small");
+  finding.part = name;
+  finding.value = *std::max_element(size.begin(), size.end());
+  finding.limit = least_usual_size_mm;
+  finding.unit = "mm";
+  finding.message = hint;
+  finding.remedy = "export it in millimetres, or scale it";
+  findings.push_back(std::move(finding));
 }
 
 CheckFinding overlap_finding(const std::vector<MeshObject>& objects, const PartOverlap& overlap,
@@ -170,25 +199,42 @@ CheckFinding overlap_finding(const std::vector<MeshObject>& objects, const PartO
   finding.value = overlap.depth_mm;
   finding.limit = contact_depth_mm;
   finding.unit = "mm";
-  finding.message = fmt::format(
-      "{} and {} overlap, {:.2g} mm deep at {}; {:.2g} mm3 belong to both, and a slicer gives them "
-      "to "
-      "one or to both",
-      title_of(objects, overlap.first), title_of(objects, overlap.second), overlap.depth_mm,
-      place_text(overlap.where), overlap.volume_mm3);
+  finding.message = fmt::format("{} and {} overlap, {} mm deep at {}; about {} mm3 belong to both",
+                                title_of(objects, overlap.first), title_of(objects, overlap.second),
+                                written(overlap.depth_mm, 2), place_text(overlap.where),
+                                written(overlap.volume_mm3, 2));
   finding.remedy = "unite the parts, or move them apart";
   return finding;
 }
 
 }  // namespace
 
+std::string unit_hint(const std::vector<Audit>& objects) {
+  if (std::any_of(objects.begin(), objects.end(),
+                  [](const Audit& object) { return object.count(Defect::not_finite) > 0; })) {
+    return {};
+  }
+  const Point size = size_of(objects);
+  const double longest = *std::max_element(size.begin(), size.end());
+  if (!(longest >= 0 && longest < least_usual_size_mm)) return {};
+  return fmt::format(
+      "all of it measures {} x {} x {} mm: if its numbers are metres, the longest side is {} mm, "
+      "if "
+      "inches, {} mm",
+      written(size[0], 3), written(size[1], 3), written(size[2], 3), written(1000 * longest, 3),
+      written(25.4 * longest, 3));
+}
+
 CheckFindings mesh_checks(const std::vector<MeshObject>& objects, const std::string& name) {
   CheckFindings findings;
+  std::vector<Audit> audits;
   std::vector<bool> sound;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const std::string part = objects.size() == 1 ? name : name + " " + title_of(objects, i);
-    sound.push_back(check_object(objects[i].mesh, part, findings));
+    audits.push_back(check_object(objects[i].mesh, part, findings));
+    sound.push_back(audits.back().passes());
   }
+  check_unit(audits, name, findings);
   constexpr std::size_t listed = 10;
   const PartOverlaps overlaps = overlapping_parts(objects, sound);
   for (std::size_t i = 0; i < std::min(listed, overlaps.found.size()); ++i) {

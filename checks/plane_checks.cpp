@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "checks/strand_checks.h"
+#include "design/text/written_number.h"
 #include "numerics/root_search.h"
 
 namespace latticast {
@@ -129,13 +130,13 @@ void check_cells(const UnitedLattice& lattice, const LatticeUse& use, CheckFindi
   finding.value = least;
   finding.limit = limit;
   finding.message = fmt::format(
-      "{} of its {} {} less than the printer's {} of {:.3g} mm across; the smallest is {:.3g} mm "
+      "{} of its {} {} less than the printer's {} of {} mm across; the smallest is {} mm "
       "at its inner radius, {}",
       cells, use.grooved ? "lands" : "openings", cells == 1 ? "is" : "are", use.between_limit(),
-      limit, least, use.grooved ? "a pin that breaks" : "and fills");
+      written(limit, 3), written(least, 3), use.grooved ? "a pin that breaks" : "and fills");
   finding.remedy =
-      fmt::format("fillet = {:.4g} closes openings that small; or change a count or an angle",
-                  std::ceil(500 * limit / stretch) / 1000);
+      fmt::format("fillet = {} closes openings that small; or change a count or an angle",
+                  written(std::ceil(500 * limit / stretch) / 1000, 4));
   findings.push_back(std::move(finding));
 }
 
@@ -169,11 +170,12 @@ void check_corners(const UnitedLattice& lattice, const LatticeUse& use, CheckFin
   finding.limit = limit;
   finding.message = fmt::format(
       "outlines meet so sharply that the {} between them is narrower than the printer's {} of "
-      "{:.3g} mm for {:.3g} mm, more than the narrowest strand is wide ({:.3g} mm): {}",
-      use.between_word(), use.between_limit(), use.least_between_mm, wedge.length_mm, limit,
+      "{} mm for {} mm, more than the narrowest strand is wide ({} mm): {}",
+      use.between_word(), use.between_limit(), written(use.least_between_mm, 3),
+      written(wedge.length_mm, 3), written(limit, 3),
       use.grooved ? "its tip breaks off" : "it fills, and the joint grows");
-  finding.remedy = fmt::format("fillet = {:.4g}, or a larger angle between the strands",
-                               std::ceil(500 * use.least_between_mm) / 1000);
+  finding.remedy = fmt::format("fillet = {}, or a larger angle between the strands",
+                               written(std::ceil(500 * use.least_between_mm) / 1000, 4));
   findings.push_back(std::move(finding));
 }
 
@@ -192,8 +194,8 @@ void check_parts(const UnitedLattice& lattice, const LatticeUse& use, CheckFindi
     finding.value = parts[i].area_mm2;
     finding.unit = "mm2";
     finding.message = fmt::format(
-        "a part of {:.3g} mm2 is not connected to the rest: the lattice falls into {} parts",
-        parts[i].area_mm2, parts.size());
+        "a part of {} mm2 is not connected to the rest: the lattice falls into {} parts",
+        written(parts[i].area_mm2, 3), parts.size());
     if (i + 1 == named && named < parts.size()) {
       finding.message += fmt::format("; {} more are not named", parts.size() - named);
     }

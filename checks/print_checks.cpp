@@ -14,6 +14,7 @@
 #include "checks/lattice_use.h"
 #include "checks/plane_checks.h"
 #include "checks/strand_checks.h"
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/pattern/strand_path.h"
@@ -72,10 +73,10 @@ void check_overhang(const Segment& segment, int number, const FreePrinting& free
     finding.limit = free.least_slope_deg;
     finding.unit = "degrees";
     finding.message = fmt::format(
-        "its strands rise {} {:.3g} degrees from the bed where they are flattest, standing on the "
-        "segment's end; {:.3g} degrees print without supports",
-        is_curved(segment.lattice->grids[g].path) ? "as little as" : "at", slope,
-        free.least_slope_deg);
+        "its strands rise {} {} degrees from the bed where they are flattest, standing on the "
+        "segment's end; {} degrees print without supports",
+        is_curved(segment.lattice->grids[g].path) ? "as little as" : "at", written(slope, 3),
+        written(free.least_slope_deg, 3));
     finding.remedy = "print it with supports, or cast it: lattice_mold = {}";
     findings.push_back(std::move(finding));
   }
@@ -93,9 +94,9 @@ void check_bridges(const UnitedLattice& lattice, const FreePrinting& free,
   finding.limit = free.longest_bridge_mm;
   finding.unit = "mm";
   finding.message = fmt::format(
-      "the underside runs level for {:.4g} mm between supports, at the outer radius; {:.3g} mm "
+      "the underside runs level for {} mm between supports, at the outer radius; {} mm "
       "print without supports",
-      bridge.length_mm, free.longest_bridge_mm);
+      written(bridge.length_mm, 4), written(free.longest_bridge_mm, 3));
   finding.remedy = "print it with supports, use more strands, or cast it: lattice_mold = {}";
   findings.push_back(std::move(finding));
 }
@@ -148,9 +149,9 @@ void check_printed_liner(const Design& design, std::size_t s, CheckFindings& fin
   finding.value = thickness;
   finding.limit = limit;
   finding.unit = "mm";
-  finding.message =
-      fmt::format("is {:.3g} mm thick; the printer's least wall is {:.3g} mm", thickness, limit);
-  finding.remedy = fmt::format("liner.thickness = {:.4g}", limit);
+  finding.message = fmt::format("is {} mm thick; the printer's least wall is {} mm",
+                                written(thickness, 3), written(limit, 3));
+  finding.remedy = fmt::format("liner.thickness = {}", written(limit, 4));
   findings.push_back(std::move(finding));
 }
 
@@ -165,7 +166,7 @@ void check_bed(const Design& design, std::size_t s, CheckFindings& findings) {
     finding->remedy = "use a larger printer";
     const double highest = (*design.printer.bed_mm)[2];
     if (segment.length_mm > highest) {
-      finding->remedy += fmt::format(", or segments of at most {:g} mm", highest);
+      finding->remedy += fmt::format(", or segments of at most {} mm", written(highest, 6));
     }
     findings.push_back(std::move(*finding));
   };

@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
+
 namespace latticast {
 namespace {
 
@@ -35,12 +37,12 @@ void add_end(const LoadedSegment& loaded, const CriticalPoint& end, double asked
   finding.value = within_load ? asked_kpa : margin;
   finding.limit = within_load ? end.pressure_kpa : least_limit_margin;
   finding.unit = within_load ? "kPa" : "";
-  finding.message = within_load
-                        ? fmt::format("{}; the load asks for {:.4g} kPa", end.name, asked_kpa)
-                        : fmt::format(
-                              "{}, only {:.3g} times the largest pressure asked for, {:.4g} kPa; a "
-                              "rubber softer by that much would not hold it",
-                              end.name, margin, asked_kpa);
+  finding.message =
+      within_load ? fmt::format("{}; the load asks for {} kPa", end.name, written(asked_kpa, 4))
+                  : fmt::format(
+                        "{}, only {} times the largest pressure asked for, {} kPa; a "
+                        "rubber softer by that much would not hold it",
+                        end.name, written(margin, 3), written(asked_kpa, 4));
   finding.remedy = pressure_remedy(end.pressure_kpa / least_limit_margin) +
                    ", a thicker or stiffer liner, or rings closer together";
   findings.push_back(std::move(finding));
@@ -74,9 +76,9 @@ void add_unstable(const LoadedSegment& loaded, double from_kpa, double asked_kpa
   finding.limit = from_kpa;
   finding.unit = "kPa";
   finding.message = fmt::format(
-      "the symmetric state is unstable beyond {:.4g} kPa, and the load asks for {:.4g} kPa: the "
+      "the symmetric state is unstable beyond {} kPa, and the load asks for {} kPa: the "
       "segment buckles into another shape, which is not predicted",
-      from_kpa, asked_kpa);
+      written(from_kpa, 4), written(asked_kpa, 4));
   finding.remedy = pressure_remedy(from_kpa / least_limit_margin);
   findings.push_back(std::move(finding));
 }
@@ -96,7 +98,7 @@ void add_not_followed(const LoadedSegment& loaded, double asked_kpa, CheckFindin
   finding.limit = followed;
   finding.unit = "kPa";
   finding.message =
-      fmt::format("{}; the load asks for {:.4g} kPa", loaded.response.message, asked_kpa);
+      fmt::format("{}; the load asks for {} kPa", loaded.response.message, written(asked_kpa, 4));
   finding.remedy = followed == 0 ? "a smaller pressure" : pressure_remedy(followed);
   findings.push_back(std::move(finding));
 }

@@ -11,6 +11,7 @@
 
 #include "checks/strand_stations.h"
 #include "design/material/drucker.h"
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "model/shape/inflated_wall.h"
 #include "model/strand/links.h"
@@ -89,9 +90,10 @@ bool add_strain(const LoadedSegment& loaded, const Measure& measure, const std::
   const auto beyond = excess(loaded, measure);
   if (!beyond) return false;
   CheckFinding finding = finding_of(loaded, measure, *beyond);
-  finding.message = fmt::format(
-      "is strained by {:.3g} at {:.4g} kPa, beyond {} {:.3g}, which it reaches at {:.3g} kPa",
-      beyond->worst, beyond->worst_kpa, limit_name, measure.limit, beyond->from_kpa);
+  finding.message =
+      fmt::format("is strained by {} at {} kPa, beyond {} {}, which it reaches at {} kPa",
+                  written(beyond->worst, 3), written(beyond->worst_kpa, 4), limit_name,
+                  written(measure.limit, 3), written(beyond->from_kpa, 3));
   finding.remedy = pressure_remedy(beyond->safe_kpa);
   findings.push_back(std::move(finding));
   return true;
@@ -126,9 +128,10 @@ void check_law_stability(const LoadedSegment& loaded, CheckFindings& findings) {
   if (!beyond) return;
   CheckFinding finding = finding_of(loaded, measure, *beyond);
   finding.message = fmt::format(
-      "is strained by {:.3g} at {:.4g} kPa; its law ({}) is stable in {} only up to {:.3g}, which "
-      "is reached at {:.3g} kPa: beyond, more strain takes less stress",
-      beyond->worst, beyond->worst_kpa, law_name(law), loss->test, measure.limit, beyond->from_kpa);
+      "is strained by {} at {} kPa; its law ({}) is stable in {} only up to {}, which "
+      "is reached at {} kPa: beyond, more strain takes less stress",
+      written(beyond->worst, 3), written(beyond->worst_kpa, 4), law_name(law), loss->test,
+      written(measure.limit, 3), written(beyond->from_kpa, 3));
   finding.remedy = pressure_remedy(beyond->safe_kpa) +
                    ", or constants that are fitted to uniaxial, planar and equibiaxial tests";
   findings.push_back(std::move(finding));
@@ -149,8 +152,8 @@ void check_liner(const LoadedSegment& loaded, CheckFindings& findings) {
   if (!beyond) return;
   CheckFinding finding = finding_of(loaded, use, *beyond);
   finding.message = fmt::format(
-      "uses {:.3g} of its law's stretch limit at {:.4g} kPa, where the stress grows without bound",
-      beyond->worst, beyond->worst_kpa);
+      "uses {} of its law's stretch limit at {} kPa, where the stress grows without bound",
+      written(beyond->worst, 3), written(beyond->worst_kpa, 4));
   finding.remedy = pressure_remedy(beyond->safe_kpa);
   findings.push_back(std::move(finding));
 }
@@ -208,9 +211,9 @@ void check_locks(const LoadedSegment& loaded, CheckFindings& findings) {
     if (!beyond) continue;
     CheckFinding finding = finding_of(loaded, *measure, *beyond);
     finding.message = fmt::format(
-        "its strands are nearly straight along the tube from {:.3g} kPa on ({:.3g} of their free "
-        "way at {:.4g} kPa): more pressure strains them and moves little",
-        beyond->from_kpa, beyond->worst, beyond->worst_kpa);
+        "its strands are nearly straight along the tube from {} kPa on ({} of their free "
+        "way at {} kPa): more pressure strains them and moves little",
+        written(beyond->from_kpa, 3), written(beyond->worst, 3), written(beyond->worst_kpa, 4));
     finding.remedy = fmt::format("{}, or {}", pressure_remedy(beyond->safe_kpa),
                                  describe(loaded.segment->lattice->grids[i].path).more);
     findings.push_back(std::move(finding));

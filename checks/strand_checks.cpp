@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "geometry/pattern/rings.h"
 #include "geometry/pattern/strand_path.h"
@@ -77,10 +78,11 @@ class StrandChecks {
     CheckFinding finding =
         finding_at("layer-too-thin", number_, "lattice", thickness, use_.least_strand_mm);
     finding.message = fmt::format(
-        "is {:.3g} mm thick from its inner to its outer radius; the printer's {} is "
-        "{:.3g} mm",
-        thickness, use_.strand_limit(), use_.least_strand_mm);
-    finding.remedy = fmt::format("lattice.thickness = {:.4g}", rounded_up(use_.least_strand_mm));
+        "is {} mm thick from its inner to its outer radius; the printer's {} is "
+        "{} mm",
+        written(thickness, 3), use_.strand_limit(), written(use_.least_strand_mm, 3));
+    finding.remedy =
+        fmt::format("lattice.thickness = {}", written(rounded_up(use_.least_strand_mm), 4));
     findings_.push_back(std::move(finding));
   }
 
@@ -97,10 +99,10 @@ class StrandChecks {
     CheckFinding finding = finding_at("ring-too-thin", number_, use_.part("rings"), rings.width_mm,
                                       use_.least_strand_mm);
     finding.place = CheckPlace{0, ring_centres_mm(rings, segment_.length_mm).front()};
-    finding.message = fmt::format("each {} is {:.3g} mm wide; the printer's {} is {:.3g} mm",
-                                  use_.grooved ? "ring's groove" : "ring", rings.width_mm,
-                                  use_.strand_limit(), use_.least_strand_mm);
-    finding.remedy = fmt::format("rings.width = {:.4g}", rounded_up(use_.least_strand_mm));
+    finding.message = fmt::format(
+        "each {} is {} mm wide; the printer's {} is {} mm", use_.grooved ? "ring's groove" : "ring",
+        written(rings.width_mm, 3), use_.strand_limit(), written(use_.least_strand_mm, 3));
+    finding.remedy = fmt::format("rings.width = {}", written(rounded_up(use_.least_strand_mm), 4));
     findings_.push_back(std::move(finding));
   }
 
@@ -111,14 +113,14 @@ class StrandChecks {
     finding.place = CheckPlace{0, 0.5 * (centres[0] + centres[1])};
     finding.message = between_message("rings", gap, "");
     if (rings.pitch_mm) {
-      finding.remedy =
-          fmt::format("rings.pitch = {:.6g}", rounded_up(rings.width_mm + use_.least_between_mm));
+      finding.remedy = fmt::format("rings.pitch = {}",
+                                   written(rounded_up(rings.width_mm + use_.least_between_mm), 6));
     } else {
       // n w + (n - 1) gap = L
       const double count = std::floor((segment_.length_mm + use_.least_between_mm) /
                                           (rings.width_mm + use_.least_between_mm) +
                                       1e-9);
-      finding.remedy = count >= 2 ? fmt::format("rings.count = {:g}", count)
+      finding.remedy = count >= 2 ? fmt::format("rings.count = {}", written(count, 6))
                                   : "use thinner rings or a longer segment";
     }
     add_gap(std::move(finding));
@@ -134,11 +136,11 @@ class StrandChecks {
                                       use_.part(fmt::format("grid {} strand {}", g, strand)), width,
                                       use_.least_strand_mm);
     finding.place = CheckPlace{360.0 * static_cast<double>(strand) / grid.count(), 0};
-    finding.message = fmt::format(
-        "{} {:.4g} mm wide at its inner radius; the printer's {} is {:.3g} mm",
-        use_.grooved ? "its groove is" : "is", width, use_.strand_limit(), use_.least_strand_mm);
+    finding.message = fmt::format("{} {} mm wide at its inner radius; the printer's {} is {} mm",
+                                  use_.grooved ? "its groove is" : "is", written(width, 4),
+                                  use_.strand_limit(), written(use_.least_strand_mm, 3));
     finding.remedy =
-        fmt::format("width = {:.4g}", rounded_up(*thinnest * use_.least_strand_mm / width));
+        fmt::format("width = {}", written(rounded_up(*thinnest * use_.least_strand_mm / width), 4));
     findings_.push_back(std::move(finding));
   }
 
@@ -183,18 +185,18 @@ class StrandChecks {
     while (fewer > 0 && !passes(fewer, widest)) --fewer;
     const bool narrow_enough = narrower > 0 && narrower >= use_.least_strand_mm;
     if (fewer > 0 && narrow_enough) {
-      return fmt::format("count = {}, or no width above {:.4g}", fewer, narrower);
+      return fmt::format("count = {}, or no width above {}", fewer, written(narrower, 4));
     }
     if (fewer > 0) return fmt::format("count = {}", fewer);
-    if (narrow_enough) return fmt::format("no width above {:.4g}", narrower);
+    if (narrow_enough) return fmt::format("no width above {}", written(narrower, 4));
     return "use a larger tube or a finer printer";
   }
 
   std::string between_message(const std::string& between, double gap,
                               const std::string& where) const {
-    return fmt::format("the {} between {} is {:.3g} mm{}; the printer's {} is {:.3g} mm{}",
-                       use_.between_word(), between, gap, where, use_.between_limit(),
-                       use_.least_between_mm,
+    return fmt::format("the {} between {} is {} mm{}; the printer's {} is {} mm{}",
+                       use_.between_word(), between, written(gap, 3), where, use_.between_limit(),
+                       written(use_.least_between_mm, 3),
                        use_.between_is_stated ? "" : " as is usual for its process");
   }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "geometry/pattern/rings.h"
 #include "geometry/pattern/strand_path.h"
@@ -36,10 +37,10 @@ void check_angles(const LoadedSegment& loaded, CheckFindings& findings) {
     finding.limit = grids[i].angle_deg < 90 ? least_angle_deg : 180 - least_angle_deg;
     finding.unit = "degrees";
     finding.message = fmt::format(
-        "at {:.4g} degrees its strands are almost rings, and wind far around the tube between two "
+        "at {} degrees its strands are almost rings, and wind far around the tube between two "
         "rings: the model, which takes that span as straight, is not valid",
-        grids[i].angle_deg);
-    finding.remedy = fmt::format("angle = {:.4g}, or rings", *finding.limit);
+        written(grids[i].angle_deg, 4));
+    finding.remedy = fmt::format("angle = {}, or rings", written(*finding.limit, 4));
     findings.push_back(std::move(finding));
   }
 }
@@ -88,9 +89,9 @@ CheckFinding ring_finding(const RingsOnWaves& rings) {
   const double spread = (rings.half_waves_apart + 0.25) * rings.half_wave_mm;
   const double kept = rings.half_waves_apart * rings.half_wave_mm;
   finding.remedy = fmt::format(
-      "rings.pitch = {:.4g} spreads them over the waves; rings.pitch = {:.6g}, phase = {:.4g} puts "
+      "rings.pitch = {} spreads them over the waves; rings.pitch = {}, phase = {} puts "
       "them on the bulges",
-      spread, kept, 0.5 / rings.half_waves_apart);
+      written(spread, 4), written(kept, 6), written(0.5 / rings.half_waves_apart, 4));
   return finding;
 }
 
@@ -151,15 +152,16 @@ void add_band(const LoadedSegment& loaded, const Band& band, CheckFindings& find
       if (std::abs(before[i].value) < 0.1) continue;  // nothing that one would see
       const double difference = std::abs(after[i].value / before[i].value - 1);
       largest = std::max(largest, difference);
-      change += fmt::format("{}{} {:.3g} instead of {:.3g} {}", change.empty() ? "" : ", ",
-                            before[i].name, after[i].value, before[i].value, before[i].unit);
+      change +=
+          fmt::format("{}{} {} instead of {} {}", change.empty() ? "" : ", ", before[i].name,
+                      written(after[i].value, 3), written(before[i].value, 3), before[i].unit);
     }
     if (!clearly_above(largest, largest_difference)) return;
     finding.value = largest;
   }
   finding.message =
-      fmt::format("its modulus may be {:.3g} times the stated one; at {:.4g} kPa that makes: {}",
-                  band.factor, stated.pressure_kpa, change);
+      fmt::format("its modulus may be {} times the stated one; at {} kPa that makes: {}",
+                  written(band.factor, 3), written(stated.pressure_kpa, 4), change);
   finding.remedy = "measure the material that will be used, and give it inline";
   findings.push_back(std::move(finding));
 }

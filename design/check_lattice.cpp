@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "design/units.h"
 
 namespace latticast {
@@ -41,12 +42,12 @@ void check_pitched_rings(const Rings& rings, double length_mm, const Field& fiel
                     first_far_edge, length_mm),
         rings.phase == Rings::usual_phase
             ? "the first ring's centre is at half a pitch: use a smaller pitch"
-            : fmt::format("the first ring's centre is at {:.6g} mm: use a smaller pitch or another "
+            : fmt::format("the first ring's centre is at {} mm: use a smaller pitch or another "
                           "phase",
-                          rings.first_centre_mm()));
+                          written(rings.first_centre_mm(), 6)));
   } else if (length_mm / pitch > limits::strands_or_rings) {
-    field.refuse(fmt::format("must not give more than {} rings; this one gives {:.6g}",
-                             limits::strands_or_rings, length_mm / pitch),
+    field.refuse(fmt::format("must not give more than {} rings; this one gives {}",
+                             limits::strands_or_rings, written(length_mm / pitch, 6)),
                  "use a larger pitch");
   }
 }
@@ -73,11 +74,10 @@ void check_strand_gaps(const Grid& grid, const Segment& segment, const Field& wi
   const double room = segment.lattice_circumference_mm() * std::sin(grid.angle_rad());
   const double sum = std::accumulate(grid.widths_mm.begin(), grid.widths_mm.end(), 0.0);
   if (sum >= room) {
-    width.refuse(
-        fmt::format("strands of one family must leave gaps, but they fill {:.4g} of the tube "
-                    "(sum of widths {:.6g} mm, room {:.6g} mm)",
-                    sum / room, sum, room),
-        "use fewer or narrower strands, or a steeper angle");
+    width.refuse(fmt::format("strands of one family must leave gaps, but they fill {} of the tube "
+                             "(sum of widths {} mm, room {} mm)",
+                             written(sum / room, 4), written(sum, 6), written(room, 6)),
+                 "use fewer or narrower strands, or a steeper angle");
     return;
   }
   const double share = room / static_cast<double>(count);
@@ -86,8 +86,8 @@ void check_strand_gaps(const Grid& grid, const Segment& segment, const Field& wi
     const double needed = 0.5 * (grid.widths_mm[j] + grid.widths_mm[next]);
     if (needed >= share) {
       width.refuse(fmt::format("neighbouring strands must not touch, but strands {} and {} need "
-                               "{:.6g} mm between their middles and have {:.6g} mm",
-                               j, next, needed, share),
+                               "{} mm between their middles and have {} mm",
+                               j, next, written(needed, 6), written(share, 6)),
                    "use fewer or narrower strands");
       return;
     }
@@ -98,8 +98,8 @@ void check_strand_turns(const Grid& grid, const Segment& segment, const Field& a
   const double turns = std::abs(strand_turns(grid, segment));
   if (turns > limits::strand_turns) {
     angle.refuse(fmt::format("a strand must not wind around the tube more than {} times; this one "
-                             "does {:.6g} times",
-                             limits::strand_turns, turns),
+                             "does {} times",
+                             limits::strand_turns, written(turns, 6)),
                  "use a steeper angle; for rings, write [segment.lattice.rings]");
   }
 }
@@ -107,8 +107,9 @@ void check_strand_turns(const Grid& grid, const Segment& segment, const Field& a
 void check_fillet(const Segment& segment, const Field& fillet) {
   const double most = segment.lattice_mid_radius_mm();
   if (segment.lattice->fillet_mm >= most) {
-    fillet.refuse(fmt::format("must be less than the lattice's mid radius, {:.6g} mm", most),
-                  "use a smaller radius: gaps narrower than twice the fillet close");
+    fillet.refuse(
+        fmt::format("must be less than the lattice's mid radius, {} mm", written(most, 6)),
+        "use a smaller radius: gaps narrower than twice the fillet close");
   }
 }
 
@@ -127,8 +128,8 @@ void check_crossings(const Segment& segment, const Field& lattice) {
   }
   if (crossings > limits::crossings) {
     lattice.refuse(fmt::format("strands and rings must not cross more than {} times; these cross "
-                               "about {:.3g} times",
-                               limits::crossings, crossings),
+                               "about {} times",
+                               limits::crossings, written(crossings, 3)),
                    "use fewer strands or rings");
   }
 }

@@ -7,6 +7,7 @@
 
 #include "design/limits.h"
 #include "design/table_reader.h"
+#include "design/text/written_number.h"
 #include "design/units.h"
 
 namespace latticast {
@@ -20,8 +21,8 @@ Horseshoe Horseshoe::read(const Field& field, double strand_mm) {
   table.refuse_unknown_keys();
   const double arcs = strand_mm / (2 * path.radius_mm * std::sin(0.5 * radians(path.arc_deg)));
   if (arcs > limits::links) {
-    field.refuse(fmt::format("a strand must not have more than {} arcs; this one has {:.6g}",
-                             limits::links, arcs),
+    field.refuse(fmt::format("a strand must not have more than {} arcs; this one has {}",
+                             limits::links, written(arcs, 6)),
                  "use a larger radius");
   }
   return path;
@@ -30,7 +31,8 @@ Horseshoe Horseshoe::read(const Field& field, double strand_mm) {
 PathDescription Horseshoe::description() const {
   return {.name = key,
           .noun = "a horseshoe",
-          .text = fmt::format("arcs of {:.6g} degrees, radius {:.6g} mm", arc_deg, radius_mm),
+          .text = fmt::format("arcs of {} degrees, radius {} mm", written(arc_deg, 6),
+                              written(radius_mm, 6)),
           .more = "arcs of a larger angle",
           .narrower = "arcs of a smaller radius",
           .parameters = {{"radius_mm", radius_mm}, {"arc_deg", arc_deg}, {"alternate", alternate}}};

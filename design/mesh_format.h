@@ -38,4 +38,8 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& file);
 /// All suffixes for a message: ".stl, .obj or .ply".
 std::string mesh_suffixes();
 
+/// What other programs call files with this suffix, as in "STEP", where they hold shapes or
+/// pictures that nothing here reads; empty for any other.
+std::string_view foreign_format_of(const std::filesystem::path& file);
+
 }  // namespace latticast

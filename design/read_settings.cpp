@@ -12,6 +12,7 @@
 
 #include "design/pressure_sweep.h"
 #include "design/read_molds.h"
+#include "design/text/written_number.h"
 
 namespace latticast {
 namespace {
@@ -30,8 +31,8 @@ std::vector<double> read_sweep(const Field& field) {
     step.refuse("must lead from `from` to `to`, in steps that are not zero",
                 sweep.to_kpa < sweep.from_kpa ? "write a negative step" : "write a positive step");
   } else if (size > limits::load_cases) {
-    step.refuse(fmt::format("a sweep must not hold more than {} pressures; this one holds {:.6g}",
-                            limits::load_cases, size),
+    step.refuse(fmt::format("a sweep must not hold more than {} pressures; this one holds {}",
+                            limits::load_cases, written(size, 6)),
                 "use a larger step");
   } else {
     return sweep_pressures_kpa(sweep);
@@ -110,8 +111,8 @@ std::vector<LoadCase> read_case_grid(const Field& field, std::size_t segments) {
     return {};
   }
   if (size > limits::load_cases) {
-    field.refuse(fmt::format("must not make more than {} cases; this one makes {:.6g}",
-                             limits::load_cases, size),
+    field.refuse(fmt::format("must not make more than {} cases; this one makes {}",
+                             limits::load_cases, written(size, 6)),
                  "use larger steps");
     return {};
   }

@@ -10,6 +10,7 @@
 
 #include "design/joined.h"
 #include "design/nearest_name.h"
+#include "design/text/written_number.h"
 
 namespace latticast {
 namespace {
@@ -28,17 +29,17 @@ std::string unit_of(const Range& range) {
 
 std::string rule_of(const Range& range) {
   const std::string unit = unit_of(range);
+  const std::string low = written(range.low);
+  const std::string high = written(range.high);
   switch (range.ends) {
     case RangeEnds::both:
       break;
     case RangeEnds::low:
-      return fmt::format("must be a number from {0} to {1}{2}, {1} not included", range.low,
-                         range.high, unit);
+      return fmt::format("must be a number from {0} to {1}{2}, {1} not included", low, high, unit);
     case RangeEnds::neither:
-      return fmt::format("must be a number between {} and {}{}, neither included", range.low,
-                         range.high, unit);
+      return fmt::format("must be a number between {} and {}{}, neither included", low, high, unit);
   }
-  return fmt::format("must be a number from {} to {}{}", range.low, range.high, unit);
+  return fmt::format("must be a number from {} to {}{}", low, high, unit);
 }
 
 std::string in_its_unit(const Range& range) {

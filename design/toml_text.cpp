@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include "design/limits.h"
+#include "design/text/written_number.h"
 
 namespace latticast {
 namespace {
@@ -191,7 +192,7 @@ std::string written(const TomlValue& value) {
   struct Writer {
     std::string operator()(bool b) const { return b ? "true" : "false"; }
     std::string operator()(std::int64_t i) const { return fmt::format("{}", i); }
-    std::string operator()(double x) const { return fmt::format("{}", x); }
+    std::string operator()(double x) const { return written(x); }
     std::string operator()(const std::string& s) const { return toml_string(s); }
     std::string operator()(const TomlDate& date) const { return date.text; }
     std::string operator()(const TomlValue::List& list) const { return written_list(list); }

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <memory>
 #include <numbers>
 #include <numeric>
 
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "model/cell/unit_cell.h"
 #include "model/equilibrium/branch.h"
@@ -83,11 +83,9 @@ std::string reason_of_loss(const Balance& balance, const BranchState& here) {
   const auto link = most_strained_link(section, q);
   if (link &&
       (link->strain > 0.95 * link->range.highest || link->strain < 0.95 * link->range.lowest)) {
-    char text[120];
-    std::snprintf(
-        text, sizeof text, ": a %s strand is strained by %.3g, its law ends at %.3g and %.3g",
-        std::string(link->path).c_str(), link->strain, link->range.lowest, link->range.highest);
-    return text;
+    return ": a " + std::string(link->path) + " strand is strained by " + written(link->strain, 3) +
+           ", its law ends at " + written(link->range.lowest, 3) + " and " +
+           written(link->range.highest, 3);
   }
   const double lift = std::hypot(q.bend_1, q.bend_2) *
                       current_radius_mm(section.inner_radius_mm, section.outer_radius_mm, q);

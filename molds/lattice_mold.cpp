@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "geometry/solid/geometry_error.h"
 #include "geometry/solid/lattice_drawing.h"
@@ -63,23 +64,23 @@ void refuse_impossible(const Segment& segment, const MoldFit& fit) {
   }
   if (!(fit.clearance_mm < fit.wall_mm)) {
     throw CannotMold(
-        fmt::format("a clearance of {:.3g} mm leaves nothing of a wall of {:.3g} mm: use a thicker "
+        fmt::format("a clearance of {} mm leaves nothing of a wall of {} mm: use a thicker "
                     "wall or a finer printer",
-                    fit.clearance_mm, fit.wall_mm));
+                    written(fit.clearance_mm, 3), written(fit.wall_mm, 3)));
   }
   if (!(0.5 * fit.clearance_mm < segment.lattice->thickness_mm)) {
-    throw CannotMold(fmt::format(
-        "half the clearance of {:.3g} mm is as deep as the lattice's grooves, {:.3g} mm: use a "
-        "thicker lattice or a finer printer",
-        fit.clearance_mm, segment.lattice->thickness_mm));
+    throw CannotMold(
+        fmt::format("half the clearance of {} mm is as deep as the lattice's grooves, {} mm: use a "
+                    "thicker lattice or a finer printer",
+                    written(fit.clearance_mm, 3), written(segment.lattice->thickness_mm, 3)));
   }
 }
 
 void refuse_narrow_pieces(const Parting& parting, double clearance) {
   const double breadth = 2 * pi * parting.drawn_radius_mm / parting.pieces - clearance;
   if (breadth >= least_piece_mm) return;
-  throw CannotMold(fmt::format("{} shell pieces would be {:.2g} mm broad: ask for fewer",
-                               parting.pieces, std::max(0.0, breadth)));
+  throw CannotMold(fmt::format("{} shell pieces would be {} mm broad: ask for fewer",
+                               parting.pieces, written(std::max(0.0, breadth), 2)));
 }
 
 int bores_under(const StrapGroove& strap, const std::vector<Bore>& bores) {

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "geometry/solid/lattice_drawing.h"
 #include "geometry/solid/layered_solid.h"
@@ -51,10 +52,10 @@ Frame make_frame(const LinerCavity& cavity, const LinerMoldOptions& options) {
   const double share = 2 * pi * cavity.bore_radius_mm / frame.pieces;
   frame.tooth_mm = std::min({1.5, 0.2 * share, cavity.height_mm / 4});
   if (share - frame.tooth_mm - frame.clearance_mm < narrowest_piece_mm) {
-    throw CannotMold(
-        fmt::format("{} shell pieces around a bore of {:.4g} mm radius are too narrow "
-                    "for seams with {:.4g} mm clearance: use fewer pieces",
-                    frame.pieces, cavity.bore_radius_mm, frame.clearance_mm));
+    throw CannotMold(fmt::format(
+        "{} shell pieces around a bore of {} mm radius are too narrow "
+        "for seams with {} mm clearance: use fewer pieces",
+        frame.pieces, written(cavity.bore_radius_mm, 4), written(frame.clearance_mm, 4)));
   }
   return frame;
 }
@@ -234,9 +235,9 @@ std::vector<std::string> notes_of(const Frame& frame, const LinerMoldOptions& op
   std::vector<std::string> notes;
   const LinerCavity& cavity = frame.cavity;
   if (options.fit.growth != 1) {
-    notes.push_back(fmt::format("{} is {:.4g} % larger than the design, against shrinkage.",
+    notes.push_back(fmt::format("{} is {} % larger than the design, against shrinkage.",
                                 options.keyed ? "The core" : "The cavity",
-                                100 * (options.fit.growth - 1)));
+                                written(100 * (options.fit.growth - 1), 4)));
   }
   if (strap_grooves(frame).empty()) {
     notes.emplace_back("The shell is too short for strap grooves: base and cap hold it together.");
@@ -244,17 +245,17 @@ std::vector<std::string> notes_of(const Frame& frame, const LinerMoldOptions& op
   const double gap = cavity.bore_radius_mm - cavity.core_radius_mm;
   if (gap < thin_mm) {
     notes.push_back(fmt::format(
-        "The cavity is only {:.3g} mm wide: rubber hardly flows into it. Warm or thin it, fill "
+        "The cavity is only {} mm wide: rubber hardly flows into it. Warm or thin it, fill "
         "under vacuum, or brush the liner onto the core instead.",
-        gap));
+        written(gap, 3)));
   }
   // Tooth tips of half shells reach past the middle.
   const double past = 0.5 * (frame.tooth_mm - frame.clearance_mm) / cavity.bore_radius_mm;
   const double undercut = past > 0 ? cavity.bore_radius_mm * (1 - std::cos(past)) : 0;
   if (frame.pieces == 2 && undercut > slight_mm) {
     notes.push_back(fmt::format(
-        "At their teeth, the half shells reach {:.2g} mm behind the casting, which gives way.",
-        undercut));
+        "At their teeth, the half shells reach {} mm behind the casting, which gives way.",
+        written(undercut, 2)));
   }
   return notes;
 }
@@ -270,9 +271,9 @@ void check(const Segment& segment, const LinerMoldOptions& options) {
   }
   if (!(fit.wall_mm > fit.clearance_mm)) {
     throw CannotMold(
-        fmt::format("a wall of {:.4g} mm is not more than the clearance, {:.4g} mm: "
+        fmt::format("a wall of {} mm is not more than the clearance, {} mm: "
                     "use a thicker wall",
-                    fit.wall_mm, fit.clearance_mm));
+                    written(fit.wall_mm, 4), written(fit.clearance_mm, 4)));
   }
   if ((flanged || options.keyed) && !segment.lattice) {
     throw CannotMold(fmt::format("{} needs a lattice, and the segment has none: leave it out",
@@ -310,15 +311,15 @@ LinerCavity liner_cavity(const Segment& segment, const LinerMoldOptions& options
   if (options.ends == LinerEnds::closed) cavity.closed_mm = along * segment.liner.thickness_mm;
   if (cavity.closed_mm >= cavity.height_mm) {
     throw CannotMold(
-        fmt::format("a closed liner {:.4g} mm thick must be longer than {:.4g} mm: "
+        fmt::format("a closed liner {} mm thick must be longer than {} mm: "
                     "use a longer segment or open ends",
-                    cavity.closed_mm, cavity.height_mm));
+                    written(cavity.closed_mm, 4), written(cavity.height_mm, 4)));
   }
   if (options.keyed && cavity.core_radius_mm >= segment.liner_outer_radius_mm()) {
-    throw CannotMold(
-        fmt::format("the core, grown to {:.4g} mm against shrinkage, leaves no liner "
-                    "inside a lattice of {:.4g} mm: use a thicker liner",
-                    cavity.core_radius_mm, segment.liner_outer_radius_mm()));
+    throw CannotMold(fmt::format(
+        "the core, grown to {} mm against shrinkage, leaves no liner "
+        "inside a lattice of {} mm: use a thicker liner",
+        written(cavity.core_radius_mm, 4), written(segment.liner_outer_radius_mm(), 4)));
   }
   return cavity;
 }

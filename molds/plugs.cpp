@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "molds/stepped_solid.h"
 
 namespace latticast {
@@ -31,8 +32,9 @@ Solid plug_solid(const Segment& segment, double bore_mm, double tolerance_mm) {
 std::vector<MoldPiece> end_plugs(const Segment& segment, const PlugOptions& options) {
   const double bore = std::min(options.tube_mm, squeeze * segment.inner_radius_mm());
   std::vector<MoldPiece> plugs;
-  plugs.push_back({"plug-inlet", plug_solid(segment, bore, options.tolerance_mm),
-                   fmt::format("closes the end that is fed; bore for a tube of {:.3g} mm", bore)});
+  plugs.push_back(
+      {"plug-inlet", plug_solid(segment, bore, options.tolerance_mm),
+       fmt::format("closes the end that is fed; bore for a tube of {} mm", written(bore, 3))});
   if (!options.closed_end) {
     plugs.push_back({"plug", plug_solid(segment, 0, options.tolerance_mm), "closes the other end"});
   }

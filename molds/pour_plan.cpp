@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "molds/print_size.h"
 
@@ -58,11 +59,11 @@ std::string amounts(const Casting& casting, const PourAllowance& allowance) {
   std::string text = fmt::format("\n## Rubber\n\n{}: the cavity holds {:.1f} ml. Mix {:.1f} ml",
                                  casting.material.name, amount.cavity_ml, amount.mixed_ml);
   if (amount.mixed_g) {
-    text += fmt::format(", {:.1f} g at {:.4g} g/cm3", *amount.mixed_g,
-                        *casting.material.density_g_per_cm3);
+    text += fmt::format(", {:.1f} g at {} g/cm3", *amount.mixed_g,
+                        written(*casting.material.density_g_per_cm3, 4));
   }
-  text += fmt::format(", which is {:.0f} % more and {:.3g} ml that stay in the cup.",
-                      100 * allowance.waste_share, allowance.residue_ml);
+  text += fmt::format(", which is {:.0f} % more and {} ml that stay in the cup.",
+                      100 * allowance.waste_share, written(allowance.residue_ml, 3));
   if (!amount.mixed_g) text += " The material's density is not known: measure by volume.";
   return text + "\n";
 }

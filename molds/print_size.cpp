@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
+
 namespace latticast {
 
 namespace {
@@ -69,10 +71,10 @@ std::string bed_problem(const MoldPiece& piece, const std::array<double, 3>& bed
                    : "divide the segment into shorter ones, or use a higher printer";
   }
   return fmt::format(
-      "{} is {:.4g} x {:.4g} x {:.4g} mm, standing on its end; the printer takes "
-      "{:.4g} x {:.4g} x {:.4g} mm: {}",
-      piece.name, size.width_mm, size.depth_mm, size.height_mm, bed_mm[0], bed_mm[1], bed_mm[2],
-      change);
+      "{} is {} x {} x {} mm, standing on its end; the printer takes "
+      "{} x {} x {} mm: {}",
+      piece.name, written(size.width_mm, 4), written(size.depth_mm, 4), written(size.height_mm, 4),
+      written(bed_mm[0], 4), written(bed_mm[1], 4), written(bed_mm[2], 4), change);
 }
 
 }  // namespace latticast

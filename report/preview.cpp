@@ -10,6 +10,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "model/shape/shape.h"
 #include "model/shape/strand_strain.h"
 #include "prepared/prepared_responses.h"
@@ -43,8 +44,8 @@ std::string case_label(const LoadCase& load, std::size_t number) {
   std::string text;
   for (std::size_t s = 0; s < chain.responses.size(); ++s) {
     if (state_in(chain, load_case, s)) continue;
-    text += fmt::format("{}preview at {:g} kPa, segment {}: {}", text.empty() ? "" : "\n",
-                        pressures[s], s + 1, chain.responses[s].message);
+    text += fmt::format("{}preview at {} kPa, segment {}: {}", text.empty() ? "" : "\n",
+                        written(pressures[s], 6), s + 1, chain.responses[s].message);
   }
   throw NoEquilibrium(text);
 }

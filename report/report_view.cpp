@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 
 #include "design/design.h"
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "export/mesh/glb_file.h"
 #include "model/shape/shape.h"
@@ -138,8 +139,8 @@ ReportView make_view(PreparedDesign& prepared, const ReportCurves* curves) {
     if (size_of(view) <= most_vertices || 2 * view.tolerance_mm > coarsest_mm) break;
   }
   if (view.tolerance_mm > wanted) {
-    view.note = fmt::format("Meshes in this view are within {:g} mm, to keep the page small.",
-                            view.tolerance_mm);
+    view.note = fmt::format("Meshes in this view are within {} mm, to keep the page small.",
+                            written(view.tolerance_mm, 6));
   }
   return view;
 }
@@ -155,7 +156,8 @@ std::string view_glb(const ReportView& view) {
       std::size_t pose = 0;
       for (const State& state : segment.states) {
         if (state.pressure_kpa == 0) continue;
-        shown.targets.push_back({fmt::format("{:g} kPa", state.pressure_kpa), body.poses[pose++]});
+        shown.targets.push_back(
+            {fmt::format("{} kPa", written(state.pressure_kpa, 6)), body.poses[pose++]});
       }
     }
   }

@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
+
 namespace latticast {
 namespace {
 
@@ -20,10 +22,10 @@ std::vector<std::string_view> names_of(const std::variant<Laws...>*) {
 }
 
 std::string value_text(const LawConstant& constant) {
-  if (!constant.is_list) return fmt::format("{:g}", constant.values.front());
+  if (!constant.is_list) return fmt::format("{}", written(constant.values.front(), 6));
   std::string text;
   for (const double value : constant.values) {
-    text += fmt::format("{}{:g}", text.empty() ? "" : ", ", value);
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", written(value, 6));
   }
   return fmt::format("[{}]", text);
 }
@@ -81,8 +83,8 @@ std::string law_fault(const Law& law) {
   if (std::string fault = std::visit(own_fault, law); !fault.empty()) return fault;
   const double modulus = rest_shear_modulus_mpa(law);
   if (!(modulus < modulus_range.low)) return "";
-  return fmt::format("its shear modulus at rest, {:g} MPa, must be at least {:g} MPa", modulus,
-                     modulus_range.low);
+  return fmt::format("its shear modulus at rest, {} MPa, must be at least {} MPa",
+                     written(modulus, 6), written(modulus_range.low, 6));
 }
 
 std::vector<LawConstant> constants_of(const Law& law) {

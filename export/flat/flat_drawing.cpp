@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "export/flat/flat_marks.h"
 
 namespace latticast {
@@ -18,15 +19,15 @@ constexpr double scale_bar_mm = 50;
 
 std::string widths_text(const Grid& grid) {
   const auto [low, high] = std::minmax_element(grid.widths_mm.begin(), grid.widths_mm.end());
-  if (*low == *high) return fmt::format("{:.6g} mm wide", *low);
-  return fmt::format("{:.6g} to {:.6g} mm wide", *low, *high);
+  if (*low == *high) return fmt::format("{} mm wide", written(*low, 6));
+  return fmt::format("{} to {} mm wide", written(*low, 6), written(*high, 6));
 }
 
 std::string family_text(const Grid& grid, std::size_t index) {
   std::string text =
-      fmt::format("grid {}: {} at {:.6g} degrees from the circumference, {}", index,
+      fmt::format("grid {}: {} at {} degrees from the circumference, {}", index,
                   grid.count() == 1 ? "one strand" : fmt::format("{} strands", grid.count()),
-                  grid.angle_deg, widths_text(grid));
+                  written(grid.angle_deg, 6), widths_text(grid));
   const std::string path = describe(grid.path).text;
   return path.empty() ? text : text + ", " + path;
 }
@@ -44,7 +45,7 @@ void add_angles(const FlatDrawing& drawing, FlatMarks& marks) {
   marks.texts.push_back({{beside, 0}, false, "z = 0"});
   marks.texts.push_back({{beside, drawing.height_mm - letter},
                          false,
-                         fmt::format("z = {:.6g} mm", drawing.height_mm)});
+                         fmt::format("z = {} mm", written(drawing.height_mm, 6))});
 }
 
 void add_scale_bar(const FlatDrawing& drawing, FlatMarks& marks) {
@@ -55,7 +56,7 @@ void add_scale_bar(const FlatDrawing& drawing, FlatMarks& marks) {
   marks.lines.push_back({{0, y - 0.5 * letter}, {0, y + 0.5 * letter}});
   marks.lines.push_back({{length, y - 0.5 * letter}, {length, y + 0.5 * letter}});
   marks.texts.push_back(
-      {{length + letter, y - 0.5 * letter}, false, fmt::format("{:.6g} mm", length)});
+      {{length + letter, y - 0.5 * letter}, false, fmt::format("{} mm", written(length, 6))});
 }
 
 void add_words(const FlatDrawing& drawing, FlatMarks& marks) {
@@ -90,16 +91,18 @@ std::vector<std::string> drawing_notes(const Segment& segment) {
   const Lattice& lattice = *segment.lattice;
   const double radius = segment.lattice_mid_radius_mm();
   std::vector<std::string> notes{
-      fmt::format("unrolled at mid radius {:.6g} mm: {:.6g} mm around, {:.6g} mm along", radius,
-                  2 * std::numbers::pi * radius, segment.length_mm),
+      fmt::format("unrolled at mid radius {} mm: {} mm around, {} mm along", written(radius, 6),
+                  written(2 * std::numbers::pi * radius, 6), written(segment.length_mm, 6)),
       "seen from outside, z upwards; the left edge joins the right one",
-      fmt::format("sheet {:.6g} mm thick, rolled to an inner radius of {:.6g} mm",
-                  lattice.thickness_mm, segment.liner_outer_radius_mm())};
-  if (lattice.rings) notes.push_back(fmt::format("rings: {:.6g} mm wide", lattice.rings->width_mm));
+      fmt::format("sheet {} mm thick, rolled to an inner radius of {} mm",
+                  written(lattice.thickness_mm, 6), written(segment.liner_outer_radius_mm(), 6))};
+  if (lattice.rings)
+    notes.push_back(fmt::format("rings: {} mm wide", written(lattice.rings->width_mm, 6)));
   for (std::size_t i = 0; i < lattice.grids.size(); ++i) {
     notes.push_back(family_text(lattice.grids[i], i));
   }
-  if (lattice.fillet_mm > 0) notes.push_back(fmt::format("fillets: {:.6g} mm", lattice.fillet_mm));
+  if (lattice.fillet_mm > 0)
+    notes.push_back(fmt::format("fillets: {} mm", written(lattice.fillet_mm, 6)));
   return notes;
 }
 

@@ -54,7 +54,8 @@ void write_glb(const std::filesystem::path& file, const Scene& scene);
 
 /// The meshes of GLB in mm, z upward, placed as the nodes of its scene say: positions are
 /// multiplied in double and rounded to float32 once, and what write_glb wrote comes back bit for
-/// bit. Each use of a mesh is an object with the node's name, or the mesh's, in the order of the
+/// bit. Each use of a mesh is an object (each primitive
+/// of it, where all of them are closed) with the node's name, or the mesh's, in the order of the
 /// nodes; one that mirrors keeps its surface facing outward. Instances (EXT_mesh_gpu_instancing)
 /// are placed, invisible nodes (KHR_node_visibility) left out. Morph targets, skins, materials,
 /// points and lines are passed over.

@@ -13,6 +13,7 @@
 #include "export/mesh/glb_library.h"
 #include "export/mesh/little_endian.h"
 #include "export/mesh/placement.h"
+#include "geometry/mesh/weld.h"
 
 namespace latticast {
 namespace {
@@ -351,8 +352,11 @@ class SceneReader {
     }
   }
 
-  TriangleMesh placed_mesh(const tinygltf::Mesh& source, const Placement& here) const {
-    TriangleMesh mesh;
+  /// A mesh of several materials has a primitive for each, which are open where they meet: they are
+  /// one object. Primitives that are closed one and all are objects of their own.
+  std::vector<TriangleMesh> placed_bodies(const tinygltf::Mesh& source,
+                                          const Placement& here) const {
+    std::vector<TriangleMesh> bodies;
     for (const tinygltf::Primitive& primitive : source.primitives) {
       if (primitive.mode == TINYGLTF_MODE_TRIANGLE_STRIP ||
           primitive.mode == TINYGLTF_MODE_TRIANGLE_FAN) {
@@ -361,9 +365,15 @@ class SceneReader {
       if (primitive.mode != TINYGLTF_MODE_TRIANGLES && primitive.mode != -1) {
         continue;
       }
-      append_triangles(primitive, here, mesh);
+      append_triangles(primitive, here, bodies.emplace_back());
     }
-    return mesh;
+    const bool apart = std::all_of(bodies.begin(), bodies.end(), [&](const TriangleMesh& body) {
+      return bodies.size() == 1 || is_closed(weld(body));
+    });
+    if (!apart) {
+      bodies = {joined(std::move(bodies))};
+    }
+    return bodies;
   }
 
   void append_triangles(const tinygltf::Primitive& primitive, const Placement& here,
@@ -387,16 +397,20 @@ class SceneReader {
     const std::string& name = node.name.empty() ? source.name : node.name;
     const auto instancing = node.extensions.find("EXT_mesh_gpu_instancing");
     if (instancing == node.extensions.end()) {
-      add_object(name, placed_mesh(source, here));
+      add_objects(name, placed_bodies(source, here));
       return;
     }
     const Instances instances = instances_of(instancing->second);
     for (std::size_t i = 0; i < instances.count; ++i) {
-      add_object(name, placed_mesh(source, placed(here, instances.placement(*this, i))));
+      add_objects(name, placed_bodies(source, placed(here, instances.placement(*this, i))));
     }
   }
 
   // Each time anew: a first use of a mesh takes what the file takes, however large.
+  void add_objects(const std::string& name, std::vector<TriangleMesh> bodies) {
+    for (TriangleMesh& body : bodies) add_object(name, std::move(body));
+  }
+
   void add_object(const std::string& name, TriangleMesh mesh) {
     if (mesh.triangles.empty()) return;
     triangles_ += mesh.triangles.size();
@@ -441,6 +455,9 @@ class SceneReader {
     find("TRANSLATION", TINYGLTF_TYPE_VEC3, instances.shift);
     find("ROTATION", TINYGLTF_TYPE_VEC4, instances.turn);
     find("SCALE", TINYGLTF_TYPE_VEC3, instances.scale);
+    if (instances.count == 0) {
+      fail("has instances without places");
+    }
     if (instances.count > limits_.uses) {
       fail("uses its meshes too many times: more than " + std::to_string(limits_.uses) + " times");
     }

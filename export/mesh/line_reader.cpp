@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export/mesh/line_reader.h"
 
+#include <algorithm>
 #include <charconv>
 #include <system_error>
+
+#include "design/file_error.h"
 
 namespace latticast {
 namespace {
@@ -46,21 +49,38 @@ std::optional<double> float64_of(std::string_view word) {
   return value;
 }
 
-std::string quoted(std::string_view word) {
+std::string in_quotes(std::string_view word) {
   constexpr std::size_t longest = 60;
   std::string text = "\"";
-  text.append(word.substr(0, longest));
+  for (const char c : word.substr(0, longest)) {
+    text += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
+  }
   return text.append(word.size() > longest ? "…\"" : "\"");
+}
+
+std::string_view without_byte_order_mark(const std::filesystem::path& file, std::string_view text) {
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+      text.starts_with(std::string_view("\0\0\xFE\xFF", 4))) {
+    throw FileError(file, "is text in UTF-16 or UTF-32: save it as UTF-8 or ASCII");
+  }
+  return text.substr(text.starts_with("\xEF\xBB\xBF") ? 3 : 0);
+}
+
+bool is_word(std::string_view word, std::string_view small_letters) {
+  return word.size() == small_letters.size() &&
+         std::equal(word.begin(), word.end(), small_letters.begin(), [](char a, char b) {
+           return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+         });
 }
 
 bool LineReader::next_line() {
   if (rest_.empty()) {
     return false;
   }
-  std::size_t end = rest_.find('\n');
-  for (++line_number_; end != std::string_view::npos && goes_on(rest_.substr(0, end));
+  std::size_t end = rest_.find(end_);
+  for (++line_number_; joins_ && end != std::string_view::npos && goes_on(rest_.substr(0, end));
        ++line_number_) {
-    end = rest_.find('\n', end + 1);
+    end = rest_.find(end_, end + 1);
   }
   line_ = rest_.substr(0, end);
   rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);

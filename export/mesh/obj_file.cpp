@@ -70,7 +70,7 @@ class ObjReader {
     const char* const end = word.data() + word.size();
     const auto parsed = std::from_chars(word.data(), end, number);
     if (parsed.ec != std::errc() || (parsed.ptr != end && *parsed.ptr != '/')) {
-      fail(quoted(word) + " is not a vertex number");
+      fail(in_quotes(word) + " is not a vertex number");
     }
     const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
     const std::int64_t index = number < 0 ? count + number : number - 1;
@@ -126,7 +126,7 @@ std::string encode_obj(const TriangleMesh& mesh) {
 }
 
 TriangleMesh decode_obj(const std::filesystem::path& file, std::string_view text) {
-  return ObjReader(file, text).read();
+  return ObjReader(file, without_byte_order_mark(file, text)).read();
 }
 
 }  // namespace latticast

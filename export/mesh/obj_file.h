@@ -14,9 +14,9 @@ namespace latticast {
 std::string encode_obj(const TriangleMesh& mesh);
 
 /// The vertices and faces of OBJ text, vertices shared as the file shares them. Faces of more than
-/// three corners become triangles in their plane (polygon_triangles.h); texture, normals, colours, groups, materials,
-/// points and lines are passed over. Throws FileError naming `file` and the line of a vertex or
-/// face that cannot be read.
+/// three corners become triangles in their plane (polygon_triangles.h); texture, normals, colours,
+/// groups, materials, points and lines are passed over. A byte-order mark of UTF-8 is passed over.
+/// Throws FileError naming `file` and the line of a vertex or face that cannot be read.
 TriangleMesh decode_obj(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace latticast

@@ -79,7 +79,7 @@ class OffReader {
     const char* const end = word.data() + word.size();
     const auto parsed = std::from_chars(word.data(), end, number);
     if (word.empty() || parsed.ec != std::errc() || parsed.ptr != end) {
-      fail(quoted(word) + " is not " + what);
+      fail(in_quotes(word) + " is not " + what);
     }
     return number;
   }
@@ -173,7 +173,7 @@ std::string encode_off(const TriangleMesh& mesh) {
 }
 
 TriangleMesh decode_off(const std::filesystem::path& file, std::string_view text) {
-  return OffReader(file, text).read();
+  return OffReader(file, without_byte_order_mark(file, text)).read();
 }
 
 }  // namespace latticast

@@ -17,11 +17,11 @@ namespace latticast {
 std::string encode_off(const TriangleMesh& mesh);
 
 /// The vertices and faces of OFF text, vertices shared as the file shares them. Faces of more than
-/// three corners become triangles in their plane (polygon_triangles.h); colours after a vertex or a face, empty lines
-/// and comments from "#" are passed over. The word may be COFF (vertices with colours) or missing,
-/// as Geomview has it. Throws FileError naming `file` and the line for another word (normals,
-/// texture, four or n dimensions, binary), for what cannot be read, and for a vertex or face that
-/// is missing or left over.
+/// three corners become triangles in their plane (polygon_triangles.h); colours after a vertex or a
+/// face, empty lines and comments from "#" are passed over. The word may be COFF (vertices with
+/// colours) or missing, as Geomview has it. A byte-order mark of UTF-8 is passed over. Throws
+/// FileError naming `file` and the line for another word (normals, texture, four or n dimensions,
+/// binary), for what cannot be read, and for a vertex or face that is missing or left over.
 TriangleMesh decode_off(const std::filesystem::path& file, std::string_view text);
 
 }  // namespace latticast

@@ -58,7 +58,7 @@ class TextValues {
     const std::string_view word = next_word();
     const std::optional<float> value = float32_of(word);
     if (!value) {
-      throw BadValue{quoted(word) + " is no number"};
+      throw BadValue{in_quotes(word) + " is no number"};
     }
     return *value;
   }
@@ -68,7 +68,7 @@ class TextValues {
     std::int64_t value = 0;
     const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
     if (parsed.ec != std::errc() || parsed.ptr != word.data() + word.size()) {
-      throw BadValue{quoted(word) + " is no integer"};
+      throw BadValue{in_quotes(word) + " is no integer"};
     }
     return value;
   }
@@ -319,7 +319,8 @@ std::string encode_ply(const TriangleMesh& mesh, std::span<const Colour> colours
   return bytes;
 }
 
-TriangleMesh decode_ply(const std::filesystem::path& file, std::string_view bytes) {
+TriangleMesh decode_ply(const std::filesystem::path& file, std::string_view whole) {
+  const std::string_view bytes = without_byte_order_mark(file, whole);
   const PlyHeader header = read_ply_header(file, bytes);
   const std::string_view body = bytes.substr(header.size);
   if (header.encoding == PlyEncoding::text) {

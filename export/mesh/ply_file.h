@@ -18,12 +18,13 @@ namespace latticast {
 /// each vertex. Programs shade the triangles between the colours of their corners.
 std::string encode_ply(const TriangleMesh& mesh, std::span<const Colour> colours = {});
 
-/// The vertices (x, y, z of "vertex"), faces (the list vertex_indices or vertex_index of "face") and
-/// triangle strips (the same list of "tristrips", where -1 begins a new strip) of PLY, text or binary
-/// in either byte order, vertices shared as the file shares them. Faces of
-/// more than three corners become triangles in their plane (polygon_triangles.h); strips turn over
-/// with every triangle, and those that only join strips, naming a vertex twice, are dropped; other properties and elements are
-/// checked and passed over. Memory grows with the bytes, never with a count that they claim.
+/// The vertices (x, y, z of "vertex"), faces (the list vertex_indices or vertex_index of "face")
+/// and triangle strips (the same list of "tristrips", where -1 begins a new strip) of PLY, text or
+/// binary in either byte order, vertices shared as the file shares them. Faces of more than three
+/// corners become triangles in their plane (polygon_triangles.h); strips turn over with every
+/// triangle, and those that only join strips, naming a vertex twice, are dropped; other properties
+/// and elements are checked and passed over. Memory grows with the bytes, never with a count that
+/// they claim.
 ///
 /// Throws FileError naming `file` when the header has an unknown or misplaced line, when a value
 /// does not have its property's type, a list is shorter than nothing, a face has fewer than three

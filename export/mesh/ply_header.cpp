@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "design/file_error.h"
+#include "export/mesh/line_reader.h"
 
 namespace latticast {
 namespace {
@@ -48,7 +49,9 @@ bool has_name(const auto& list, std::string_view name) {
 class HeaderReader {
  public:
   HeaderReader(const std::filesystem::path& file, std::string_view bytes)
-      : file_(file), bytes_(bytes) {}
+      : file_(file),
+        bytes_(bytes),
+        line_end_(bytes.starts_with("ply\r") && !bytes.starts_with("ply\r\n") ? '\r' : '\n') {}
 
   PlyHeader read() {
     if (next_line() != "ply") {
@@ -77,7 +80,7 @@ class HeaderReader {
   }
 
   std::string_view next_line() {
-    const std::size_t end = bytes_.find('\n', header_.size);
+    const std::size_t end = bytes_.find(line_end_, header_.size);
     if (end == std::string_view::npos) {
       throw FileError(file_, "has a PLY header without an end");
     }
@@ -98,7 +101,7 @@ class HeaderReader {
     } else if (words[0] == "property") {
       read_property(words);
     } else if (words[0] != "comment" && words[0] != "obj_info") {
-      fail(std::string("\"").append(words[0]).append("\" is no statement of a PLY header"));
+      fail(in_quotes(words[0]) + " is no statement of a PLY header");
     }
   }
 
@@ -122,7 +125,7 @@ class HeaderReader {
     const char* const end = words[2].data() + words[2].size();
     const auto parsed = std::from_chars(words[2].data(), end, element.count);
     if (parsed.ec != std::errc() || parsed.ptr != end) {
-      fail(std::string("\"").append(words[2]).append("\" is no count"));
+      fail(in_quotes(words[2]) + " is no count");
     }
     element.name = words[1];
     if (has_name(header_.elements, element.name)) {
@@ -136,7 +139,7 @@ class HeaderReader {
       return type.old_name == word || type.name == word;
     });
     if (found == types.end()) {
-      fail(std::string("\"").append(word).append("\" is no type"));
+      fail(in_quotes(word) + " is no type");
     }
     return static_cast<PlyType>(found - types.begin());
   }
@@ -175,6 +178,7 @@ class HeaderReader {
 
   const std::filesystem::path& file_;
   std::string_view bytes_;
+  char line_end_;
   PlyHeader header_;
   std::size_t line_number_ = 0;
   bool has_format_ = false;

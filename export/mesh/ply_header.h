@@ -36,7 +36,8 @@ struct PlyHeader {
   std::size_t size = 0;  ///< bytes to where the values begin
 };
 
-/// Reads the lines from "ply" to "end_header", which end with "\n" or "\r\n". Throws FileError
+/// Reads the lines from "ply" to "end_header", which end with "\n", "\r\n" or
+/// "\r", as the first does. Throws FileError
 /// naming `file`, and the line where there is one, for a header without an end or a format, a line
 /// of another kind or out of place, an unknown type, a list length that is no integer, a name that
 /// comes twice, and an element with more instances than the file has bytes.

@@ -53,14 +53,19 @@ bool has_binary_length(std::string_view bytes) {
          bytes.size() == preamble_size + facet_size * facet_count(bytes);
 }
 
+bool is_comment(std::string_view word) {
+  return word.starts_with('#') || word.starts_with(';') || word.starts_with("//");
+}
+
+/// Words in their order, whatever the lines: some programs write all on one.
 class TextStlReader {
  public:
   TextStlReader(const std::filesystem::path& file, std::string_view text)
-      : file_(file), lines_(text) {}
+      : file_(file), lines_(text, LineJoining::none) {}
 
   TriangleMesh read() {
-    while (lines_.next_line()) {
-      read_statement(lines_.next_word());
+    for (std::string_view word = next_word(); !word.empty(); word = next_word()) {
+      read_statement(word);
     }
     if (in_solid_) {
       fail("the last solid does not end");
@@ -79,33 +84,105 @@ class TextStlReader {
     }
   }
 
-  void read_statement(std::string_view keyword) {
-    if (keyword == "solid") {
+  /// Empty at the end of the text.
+  std::string_view next_word() {
+    while (true) {
+      const std::string_view word = lines_.next_word();
+      if (!word.empty() && !is_comment(word)) {
+        return word;
+      }
+      if (!lines_.next_line()) {
+        return {};
+      }
+    }
+  }
+
+  void read_statement(std::string_view word) {
+    if (is_word(word, "solid")) {
       require(!in_solid_);
       in_solid_ = true;
-    } else if (keyword == "facet") {
+      pass_over_name();
+    } else if (is_word(word, "facet")) {
       require(in_solid_ && !in_facet_);
       in_facet_ = true;
-    } else if (keyword == "vertex") {
+      pass_over_normal();
+    } else if (is_word(word, "vertex")) {
       require(in_facet_);
       read_vertex();
-    } else if (keyword == "endfacet") {
+    } else if (is_word(word, "outer") || is_word(word, "loop")) {
+      require(in_facet_);
+    } else if (is_word(word, "end")) {
+      read_end(next_word());
+    } else if (is_word(word.substr(0, 3), "end")) {
+      read_end(word.substr(3));
+    } else {
+      fail(in_quotes(word) + " is no statement of text STL");
+    }
+  }
+
+  void read_end(std::string_view what) {
+    if (is_word(what, "loop")) {
+      require(in_facet_);
+    } else if (is_word(what, "facet")) {
       require(in_facet_);
       end_facet();
-    } else if (keyword == "endsolid") {
+    } else if (is_word(what, "solid")) {
       require(in_solid_ && !in_facet_);
       in_solid_ = false;
-    } else if (keyword == "outer" || keyword == "endloop") {
-      require(in_facet_);
-    } else if (!keyword.empty()) {
-      fail("\"" + std::string(keyword) + "\" is no statement of text STL");
+      pass_over_name();
+    } else {
+      fail(in_quotes("end" + std::string(what)) + " is no statement of text STL");
     }
+  }
+
+  /// Goes to the end of the line, which the name of a solid takes; where the line goes on with
+  /// facets, to the statement that they begin with.
+  void pass_over_name() {
+    LineReader ahead = lines_;
+    LineReader statement = lines_;
+    while (true) {
+      const LineReader here = ahead;
+      const std::string_view word = ahead.next_word();
+      if (word.empty()) {
+        lines_ = ahead;
+        return;
+      }
+      const bool begins = is_word(word, in_solid_ ? "facet" : "solid");
+      const bool ends = is_word(word, "endsolid");
+      if (begins || ends) {
+        statement = here;
+      }
+      if ((is_word(word, "facet") && is_normal(ahead)) || (ends && in_solid_)) {
+        lines_ = statement;
+        return;
+      }
+    }
+  }
+
+  static bool is_normal(LineReader after_facet) {
+    return is_word(after_facet.next_word(), "normal") &&
+           float32_of(after_facet.next_word()).has_value();
+  }
+
+  // Its numbers may be none at all: it is not used.
+  void pass_over_normal() {
+    LineReader before = lines_;
+    for (int words = 0; words <= 4; ++words) {
+      const std::string_view word = next_word();
+      if (word.empty() || is_word(word, "outer") || is_word(word, "vertex") ||
+          is_word(word.substr(0, 3), "end")) {
+        lines_ = before;
+        return;
+      }
+      before = lines_;
+    }
+    fail("a facet's normal has three numbers");
   }
 
   void read_vertex() {
     Point vertex;
     for (double& coordinate : vertex) {
-      const std::optional<float> number = float32_of(lines_.next_word());
+      const std::optional<float> number = float32_of(next_word());
       if (!number) {
         fail("a vertex needs three numbers");
       }
@@ -130,13 +207,29 @@ class TextStlReader {
   bool in_facet_ = false;
 };
 
-bool is_text(std::string_view bytes) {
-  const std::size_t start = bytes.find_first_not_of(" \t\r\n");
-  return start != std::string_view::npos && bytes.substr(start).starts_with("solid") &&
-         !has_binary_length(bytes);
+/// Whether the first word, after comments, is "solid".
+bool begins_with_solid(std::string_view text) {
+  LineReader lines(text, LineJoining::none);
+  while (lines.next_line()) {
+    const std::string_view word = lines.next_word();
+    if (!word.empty() && !is_comment(word)) {
+      return is_word(word.substr(0, 5), "solid");
+    }
+  }
+  return false;
+}
+
+/// No text has a zero byte, and hardly a binary file none where it begins.
+bool looks_binary(std::string_view bytes) {
+  return bytes.substr(0, 512).find('\0') != std::string_view::npos;
 }
 
 TriangleMesh decode_binary(const std::filesystem::path& file, std::string_view bytes) {
+  if (!has_binary_length(bytes) && !looks_binary(bytes)) {
+    throw FileError(file,
+                    "is neither text STL, which begins with \"solid\", nor binary STL, which is as "
+                    "long as its count of triangles says");
+  }
   if (bytes.size() < preamble_size) {
     throw FileError(file, "too short for an STL file");
   }
@@ -183,7 +276,12 @@ std::string encode_stl(const TriangleMesh& mesh) {
 }
 
 TriangleMesh decode_stl(const std::filesystem::path& file, std::string_view bytes) {
-  return is_text(bytes) ? TextStlReader(file, bytes).read() : decode_binary(file, bytes);
+  if (has_binary_length(bytes)) {
+    return decode_binary(file, bytes);
+  }
+  const std::string_view text = without_byte_order_mark(file, bytes);
+  return !looks_binary(bytes) && begins_with_solid(text) ? TextStlReader(file, text).read()
+                                                         : decode_binary(file, bytes);
 }
 
 }  // namespace latticast

@@ -155,11 +155,11 @@ class ThreeMfModelReader::Events {
   void start_model(std::string_view name_space, std::string_view local,
                    const XmlAttributes& attributes) {
     if (local != "model") {
-      fail("begins with " + quoted(local) + ", which is no model");
+      fail("begins with " + in_quotes(local) + ", which is no model");
     }
     if (std::find(core_namespaces.begin(), core_namespaces.end(), name_space) ==
         core_namespaces.end()) {
-      fail("a model in the namespace " + quoted(name_space) + ", which is not read");
+      fail("a model in the namespace " + in_quotes(name_space) + ", which is not read");
     }
     core_ = name_space;
     read_unit(attributes);
@@ -200,7 +200,7 @@ class ThreeMfModelReader::Events {
       const auto known = prefixes_.find(std::string(word));
       const std::string name_space = known == prefixes_.end() ? "" : known->second;
       if (std::find(harmless.begin(), harmless.end(), name_space) == harmless.end()) {
-        fail("needs the 3MF extension " + quoted(word) +
+        fail("needs the 3MF extension " + in_quotes(word) +
              (name_space.empty() ? "" : " (" + name_space + ")") + ", which is not read");
       }
     }
@@ -287,7 +287,7 @@ class ThreeMfModelReader::Events {
     std::uint32_t value = 0;
     const auto parsed = std::from_chars(word.data(), word.data() + word.size(), value);
     if (parsed.ec != std::errc() || parsed.ptr != word.data() + word.size()) {
-      fail(quoted(whole) + " is no index");
+      fail(in_quotes(whole) + " is no index");
     }
     return value;
   }
@@ -299,7 +299,7 @@ class ThreeMfModelReader::Events {
       const std::string_view word = text(attributes, axes[axis]);
       const std::optional<float> value = float32_of(word);
       if (!value) {
-        fail(quoted(word) + " is no number");
+        fail(in_quotes(word) + " is no number");
       }
       point[axis] = *value;
     }
@@ -329,7 +329,7 @@ class ThreeMfModelReader::Events {
     const auto* const unit = std::find_if(units.begin(), units.end(),
                                           [&](const auto& known) { return known.first == name; });
     if (unit == units.end()) {
-      fail(quoted(name) + " is no unit");
+      fail(in_quotes(name) + " is no unit");
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
       model_.unit[axis][axis] = unit->second;

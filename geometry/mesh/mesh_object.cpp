@@ -23,16 +23,29 @@ void append(const TriangleMesh& mesh, TriangleMesh& whole) {
 }  // namespace
 
 std::string title_of(const std::vector<MeshObject>& objects, std::size_t index) {
+  constexpr std::size_t longest = 60;
   const std::string& name = objects.at(index).name;
-  return name.empty() ? "object " + std::to_string(index + 1) : '"' + name + '"';
+  if (name.empty()) return "object " + std::to_string(index + 1);
+  std::string title = "\"";
+  for (const char c : name.substr(0, longest)) {
+    title += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? '?' : c;
+  }
+  return title + (name.size() > longest ? "…\"" : "\"");
 }
 
 TriangleMesh joined(std::vector<MeshObject> objects) {
-  if (objects.size() == 1) return std::move(objects.front().mesh);
+  std::vector<TriangleMesh> meshes;
+  meshes.reserve(objects.size());
+  for (MeshObject& object : objects) meshes.push_back(std::move(object.mesh));
+  return joined(std::move(meshes));
+}
+
+TriangleMesh joined(std::vector<TriangleMesh> meshes) {
+  if (meshes.size() == 1) return std::move(meshes.front());
   TriangleMesh whole;
-  for (MeshObject& object : objects) {
-    append(object.mesh, whole);
-    object.mesh = {};
+  for (TriangleMesh& mesh : meshes) {
+    append(mesh, whole);
+    mesh = {};
   }
   return whole;
 }

@@ -15,11 +15,13 @@ struct MeshObject {
   TriangleMesh mesh;
 };
 
-/// How messages call object `index`: its name in quotes, or "object 3", counted from 1.
+/// How messages call object `index`: its name in quotes, cut short where it is long, without
+/// control characters; or "object 3", counted from 1.
 std::string title_of(const std::vector<MeshObject>& objects, std::size_t index);
 
 /// All objects as one mesh, one after the other; nothing is joined, reordered or dropped. Throws
 /// std::length_error for more vertices than a mesh can number.
 TriangleMesh joined(std::vector<MeshObject> objects);
+TriangleMesh joined(std::vector<TriangleMesh> meshes);
 
 }  // namespace latticast

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace latticast {
 namespace {
@@ -98,6 +99,23 @@ TriangleMesh weld(const TriangleMesh& mesh) {
     welded.triangles.push_back({index[t[0]], index[t[1]], index[t[2]]});
   }
   return welded;
+}
+
+bool is_closed(const TriangleMesh& welded) {
+  using Edge = std::pair<std::uint32_t, std::uint32_t>;
+  std::vector<Edge> forward;
+  std::vector<Edge> backward;
+  for (const Triangle& t : welded.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = t[i];
+      const std::uint32_t to = t[(i + 1) % 3];
+      if (from < to) forward.emplace_back(from, to);
+      if (from > to) backward.emplace_back(to, from);
+    }
+  }
+  std::sort(forward.begin(), forward.end());
+  std::sort(backward.begin(), backward.end());
+  return forward == backward;
 }
 
 bool same_triangles(const TriangleMesh& a, const TriangleMesh& b) {

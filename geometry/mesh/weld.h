@@ -13,6 +13,10 @@ namespace latticast {
 /// audit to find. Linear in time and memory. Precondition: fewer than 2^32 - 1 vertices.
 TriangleMesh weld(const TriangleMesh& mesh);
 
+/// Whether a surface has no rim: along every edge as many triangles run one way as the other. A
+/// mesh without triangles has none.
+bool is_closed(const TriangleMesh& welded);
+
 /// Whether two meshes have the same triangles in the same order, corner by corner. What an audit
 /// finds in one of two such meshes that are welded, it finds in the other. A NaN equals nothing.
 bool same_triangles(const TriangleMesh& a, const TriangleMesh& b);

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "geometry/pattern/cannot_draw.h"
 #include "geometry/pattern/pattern.h"
 #include "geometry/pattern/strand_path.h"
@@ -60,13 +61,13 @@ class Family {
     const double needed = 0.5 * (strand_.width_mm + grid_.widths_mm[next]);
     if (distance_ > needed || !seen_sums_.insert(needed).second) return;
     std::string remedy = distance_ > 1e-3 * needed
-                             ? fmt::format("widths below {:.4g} mm", distance_)
+                             ? fmt::format("widths below {} mm", written(distance_, 4))
                              : std::string(path_.narrower);
     if (const auto fewer = fewer_strands(strand_, grid_.count(), circumference_, needed)) {
       remedy = fmt::format("count {}, or ", *fewer) + remedy;
     }
-    add(strand, fmt::format("overlaps strand {} by {:.3g} mm; {} would leave a gap", next,
-                            needed - distance_, remedy));
+    add(strand, fmt::format("overlaps strand {} by {} mm; {} would leave a gap", next,
+                            written(needed - distance_, 3), remedy));
   }
 
   const Grid& grid_;

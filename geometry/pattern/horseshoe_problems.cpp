@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "geometry/pattern/horseshoe_path.h"
 
 namespace latticast {
@@ -44,13 +45,14 @@ bool in_one_piece(const HorseshoeColumn& column) {
 std::string fold_problem(const HorseshoeColumn& column) {
   const double radius = column.shape.radius_mm;
   const double most_arcs = std::ceil(whole_arcs(column) * 2 * radius / column.width_mm) - 1;
-  std::string remedy = fmt::format("a width below {:.6g} mm avoids it", 2 * radius);
+  std::string remedy = fmt::format("a width below {} mm avoids it", written(2 * radius, 6));
   if (most_arcs >= 1) {
     const HorseshoeColumn fewer = with_arcs(column, most_arcs);
-    remedy =
-        fmt::format("radius {:.6g} mm, {:g} arcs, or {}", fewer.shape.radius_mm, most_arcs, remedy);
+    remedy = fmt::format("radius {} mm, {} arcs, or {}", written(fewer.shape.radius_mm, 6),
+                         written(most_arcs, 6), remedy);
   }
-  return fmt::format("{:g} mm wide, its arcs fold over themselves: {}", column.width_mm, remedy);
+  return fmt::format("{} mm wide, its arcs fold over themselves: {}", written(column.width_mm, 6),
+                     remedy);
 }
 
 // The largest arc, in tenths of a degree, that stays clear of the next on its side, closed.
@@ -68,11 +70,11 @@ std::optional<HorseshoeColumn> with_smaller_arc(HorseshoeColumn column) {
 
 std::string own_arcs_problem(const HorseshoeColumn& column) {
   const std::optional<HorseshoeColumn> smaller = with_smaller_arc(column);
-  return fmt::format("arcs of {:g} degrees run into the next ones on their side{}",
-                     column.shape.arc_deg,
-                     smaller ? fmt::format("; arc {:.1f} with radius {:.6g} mm stays clear",
-                                           smaller->shape.arc_deg, smaller->shape.radius_mm)
-                             : "; use a smaller arc");
+  return fmt::format(
+      "arcs of {} degrees run into the next ones on their side{}", written(column.shape.arc_deg, 6),
+      smaller ? fmt::format("; arc {:.1f} with radius {} mm stays clear", smaller->shape.arc_deg,
+                            written(smaller->shape.radius_mm, 6))
+              : "; use a smaller arc");
 }
 
 std::string parted_problem(const HorseshoeColumn& column) {
@@ -82,8 +84,8 @@ std::string parted_problem(const HorseshoeColumn& column) {
     const HorseshoeColumn smaller = with_arcs(column, more);
     if (folds_over(smaller)) break;
     if (!in_one_piece(smaller)) continue;
-    remedy =
-        fmt::format("; radius {:.6g} mm, {:g} arcs, keeps it whole", smaller.shape.radius_mm, more);
+    remedy = fmt::format("; radius {} mm, {} arcs, keeps it whole",
+                         written(smaller.shape.radius_mm, 6), written(more, 6));
     break;
   }
   return "its arcs bulge past the segment's end, and the level cut there parts it" + remedy;
@@ -96,9 +98,10 @@ std::optional<std::string> closing_problem(const HorseshoeColumn& column) {
   const double radius = column.shape.radius_mm;
   if (std::abs(closing - radius) <= closing_tolerance * radius) return std::nullopt;
   return fmt::format(
-      "{:.4g} arcs of radius {:g} mm fill the segment, not a whole number; radius "
-      "{:.6g} mm closes it with {:g}",
-      arcs_on_segment(column), radius, closing, whole_arcs(column));
+      "{} arcs of radius {} mm fill the segment, not a whole number; radius "
+      "{} mm closes it with {}",
+      written(arcs_on_segment(column), 4), written(radius, 6), written(closing, 6),
+      written(whole_arcs(column), 6));
 }
 
 std::optional<std::string> own_problem(const HorseshoeColumn& asked) {

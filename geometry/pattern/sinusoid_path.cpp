@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/written_number.h"
 #include "design/units.h"
 #include "geometry/pattern/link_chain.h"
 #include "numerics/root_search.h"
@@ -166,13 +167,13 @@ std::string fold_problem(const SinusoidStrand& strand) {
   const double amplitude = 0.999 * strand.shape.amplitude_mm * 2 * radius / strand.width_mm;
   const double waves = strand.shape.waves * std::sqrt(2 * radius / strand.width_mm);
   const double whole = 0.5 * (std::ceil(2 * waves) - 1);
-  std::string remedy =
-      fmt::format("amplitude {:.4g} mm, or a width below {:.6g} mm", amplitude, 2 * radius);
-  if (whole >= 0.5) remedy = fmt::format("{:g} waves, or ", whole) + remedy;
+  std::string remedy = fmt::format("amplitude {} mm, or a width below {} mm", written(amplitude, 4),
+                                   written(2 * radius, 6));
+  if (whole >= 0.5) remedy = fmt::format("{} waves, or ", written(whole, 6)) + remedy;
   return fmt::format(
-      "{:g} mm wide, it folds over itself at its crests, which have a radius of {:.4g} mm: {}, "
+      "{} mm wide, it folds over itself at its crests, which have a radius of {} mm: {}, "
       "avoids it",
-      strand.width_mm, radius, remedy);
+      written(strand.width_mm, 6), written(radius, 4), remedy);
 }
 
 bool in_one_piece(const SinusoidStrand& strand) {
@@ -185,7 +186,7 @@ std::string parted_problem(const SinusoidStrand& strand) {
     SinusoidStrand smaller = strand;
     smaller.shape.amplitude_mm *= part;
     if (!in_one_piece(smaller)) continue;
-    remedy = fmt::format("amplitude {:.4g} mm keeps it whole", smaller.shape.amplitude_mm);
+    remedy = fmt::format("amplitude {} mm keeps it whole", written(smaller.shape.amplitude_mm, 4));
     break;
   }
   return "its waves reach past the segment's end, and the level cut there parts it; " + remedy;

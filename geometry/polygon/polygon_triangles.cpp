@@ -32,9 +32,8 @@ using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel
 using Face = CGAL::Constrained_triangulation_face_base_2<
     Kernel, CGAL::Triangulation_face_base_with_info_2<FaceState, Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<Vertex, Face>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
-                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
+using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, Structure, CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
 /// Of twice the area, by Newell's sum over the sides; not finite where a coordinate is not.
 Point normal_of(std::span<const Point> corners) {

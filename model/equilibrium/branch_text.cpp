@@ -2,17 +2,15 @@
 #include "model/equilibrium/branch_text.h"
 
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
+#include "design/text/written_number.h"
 #include "design/units.h"
 
 namespace latticast {
 
 std::string pressure_text(double pressure_kpa) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g kPa", pressure_kpa);
-  return text;
+  return written(pressure_kpa, 4) + " kPa";
 }
 
 std::string extremum_text(const AngleExtremum& point, double length_mm) {
@@ -20,12 +18,10 @@ std::string extremum_text(const AngleExtremum& point, double length_mm) {
   const double per_mm =
       bend ? point.state.bend_magnitude_rad_per_mm() : std::abs(point.state.twist_rad_per_mm);
   const double angle = degrees(per_mm * length_mm);
-  char text[160];
-  std::snprintf(text, sizeof text,
-                "%s angle is %s, %.4g degrees, at %s: an inverse P(%s) has two branches",
-                bend ? "bending" : "twist", point.largest ? "largest" : "smallest", angle,
-                pressure_text(point.pressure_kpa).c_str(), bend ? "theta" : "twist");
-  return text;
+  return std::string(bend ? "bending" : "twist") + " angle is " +
+         (point.largest ? "largest, " : "smallest, ") + written(angle, 4) + " degrees, at " +
+         pressure_text(point.pressure_kpa) + ": an inverse P(" + (bend ? "theta" : "twist") +
+         ") has two branches";
 }
 
 void add_sentence(std::string& message, const std::string& sentence) {

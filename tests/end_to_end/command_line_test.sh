@@ -144,6 +144,26 @@ printf 'solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nver
 expect 1 "$program" audit open.stl
 says "open edge: 3"
 
+# What is no design and no mesh that is read is told so, without a word about TOML's grammar.
+printf '\0\1\2' >shape.step
+expect 2 "$program" check shape.step
+err_says "shape.step: STEP files are not read: meshes end in .stl, .obj"
+cp shape.step shape.unknown
+expect 2 "$program" check shape.unknown
+err_says "shape.unknown: is no design, which is TOML, and no mesh that is read"
+holds test "${err/valid TOML/}" = "$err"
+expect 2 "$program" predict open.stl
+err_says "open.stl: is a mesh"
+
+# Numbers are written as people write them, and a mesh in metres is suspected.
+for v in "0 0 0" "0.02 0 0" "0 0.02 0" "0 0 0.02"; do echo "v $v"; done >metres.obj
+printf 'f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n' >>metres.obj
+expect 0 "$program" audit metres.obj
+says "0.00000133333 mm3"
+says "note: all of it measures 0.02 x 0.02 x 0.02 mm: if its numbers are metres"
+expect 0 "$program" check metres.obj
+says "warning mesh-too-small"
+
 # Materials and the command line itself.
 expect 0 "$program" materials
 says "ecoflex-00-50-tensile"

@@ -20,8 +20,9 @@ cd "${1:?usage: structure_check.sh ROOT}"
 # rooms. app, bench and tests may include all.
 below='
 numerics
-design/material
-design                   design/material
+design/text
+design/material          design/text
+design                   design/material design/text
 geometry/mesh
 geometry/polygon         geometry/mesh
 geometry/pattern         numerics design geometry/mesh

@@ -103,6 +103,32 @@ TEST(AuditOutput, ListsDefectsOfAKindTogether) {
             "  self-intersections were not searched: not every coordinate is finite\n");
 }
 
+TEST(AuditOutput, SumsUpTheObjectsOfAFile) {
+  Audit sound;
+  sound.triangles = 12;
+  sound.components = 1;
+  sound.volume_mm3 = 6000;
+  sound.highest = {10, 20, 30};
+  const std::vector<MeshObject> objects{{"left", {}}, {"", {}}};
+  EXPECT_EQ(audit_report("a.3mf", objects, {sound, sound}, {}),
+            "pass a.3mf: 2 objects, closed, 2 pieces, genus 0, 12000 mm3, 24 triangles\n");
+  PartOverlaps overlaps;
+  overlaps.found = {{0, 1, 5, 3000, {7.5, 10, 15}}};
+  EXPECT_EQ(audit_report("a.3mf", objects, {sound, sound}, overlaps),
+            "pass a.3mf: 2 objects, closed, 2 pieces, genus 0, 12000 mm3, 24 triangles\n"
+            "  note: \"left\" and object 2 overlap, 5 mm deep at x 7.5, y 10, z 15; about 3000 mm3 "
+            "belong to both\n");
+  Audit open = sound;
+  open.searched_intersections = true;
+  open.findings = {{Defect::open_edge, {1, 2, 3}, 7}};
+  open.counts[static_cast<std::size_t>(Defect::open_edge)] = 3;
+  EXPECT_EQ(audit_report("a.3mf", objects, {sound, open}, {}),
+            "FAIL a.3mf: 2 objects, 24 triangles\n"
+            "  object 2:\n"
+            "  open edge: 3\n"
+            "    at x 1, y 2, z 3 (triangle 7)\n");
+}
+
 TEST(PressureList, TakesOneAListOrARange) {
   EXPECT_EQ(parse_pressures_kpa("30"), (std::vector<double>{30}));
   EXPECT_EQ(parse_pressures_kpa("10,-2.5,10"), (std::vector<double>{10, -2.5, 10}));

@@ -77,7 +77,7 @@ tolerance = 1e-4
 )";
   const Issue issue = only_issue_of(std::string(smallest_design) + lattice);
   EXPECT_EQ(issue.key, "segment[0].lattice");
-  EXPECT_NE(issue.rule.find("about 4e+06 times"), std::string::npos) << issue.rule;
+  EXPECT_NE(issue.rule.find("about 4000000 times"), std::string::npos) << issue.rule;
 }
 
 TEST(BadDesign, RingsBeyondCountingByPitch) {

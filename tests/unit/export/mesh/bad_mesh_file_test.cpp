@@ -123,6 +123,22 @@ TEST_F(BadMeshFile, TextStlNamesTheLine) {
   EXPECT_TRUE(says(complaint("a.stl", "solid a\nendsolid\nfacet\n"), "line 3: is out of place"));
 }
 
+TEST_F(BadMeshFile, TextThatIsNoStlIsNotSaidToBeABinaryOne) {
+  for (const std::string& text :
+       {text_stl.substr(8), std::string("v 0 0 0\n"), std::string(500, 'x')}) {
+    EXPECT_TRUE(says(complaint("a.stl", text), "neither text STL")) << complaint("a.stl", text);
+  }
+}
+
+TEST_F(BadMeshFile, LongWordsAreNotRepeatedWhole) {
+  const std::string word(1000000, 'x');
+  EXPECT_LT(complaint("a.obj", "v 0 0 0\nf 1 1 " + word).size(), 200U);
+  EXPECT_LT(complaint("a.stl", "solid a\n" + word).size(), 200U);
+  EXPECT_LT(complaint("a.off", word).size(), 200U);
+  EXPECT_LT(complaint("a.ply", "ply\n" + word + "\n").size(), 200U);
+  EXPECT_LT(complaint("a.ply", ply_header + "0 0 " + word).size(), 200U);
+}
+
 TEST_F(BadMeshFile, ObjNamesTheLine) {
   const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   EXPECT_TRUE(says(complaint("a.obj", corners + "f 1 2 4\n"), "line 4: there is no vertex 4"));

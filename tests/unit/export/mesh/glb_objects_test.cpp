@@ -64,6 +64,22 @@ TEST(GlbObjects, PrimitivesOfOneMeshAreOneObject) {
   EXPECT_EQ(objects[0].mesh.triangles.size(), 2U);
 }
 
+TEST(GlbObjects, PrimitivesThatAreClosedAreObjectsOfTheirOwn) {
+  Json json = triangle_json();
+  std::string data = three_points();
+  add_accessor<float>(json, data, {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, "VEC3", 5126);
+  json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", data.size()}, {"byteLength", 12}});
+  data += std::string("\0\2\1\0\1\3\0\3\2\1\2\3", 12);
+  json["buffers"][0]["byteLength"] = data.size();
+  json["accessors"].push_back(
+      {{"bufferView", 2}, {"componentType", 5121}, {"count", 12}, {"type", "SCALAR"}});
+  const Json closed = {{"attributes", {{"POSITION", 1}}}, {"indices", 2}};
+  json["meshes"][0]["primitives"] = {closed, closed};
+  EXPECT_EQ(objects_of(json, data).size(), 2U);
+  json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}});
+  EXPECT_EQ(objects_of(json, data).size(), 1U);
+}
+
 TEST(GlbObjects, AreAsManyAsThereAreInstances) {
   Json json = triangle_json();
   std::string data = three_points();

@@ -263,6 +263,82 @@ TEST(StlFile, ReadsTextWithSeveralSolids) {
   EXPECT_EQ(welded.vertices, (std::vector<Point>{{0, 0, 0.5}, {1.25, 0, 0.5}, {0, 10, 0.5}}));
 }
 
+/// A facet whose corners are told apart by their x coordinates.
+std::string text_facet() {
+  return "facet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 2 0 0\nvertex 3 5 0\nendloop\n"
+         "endfacet\n";
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos;
+       at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+TEST(StlFile, ReadsTheDialectsOfText) {
+  const std::string plain = "solid box\n" + text_facet() + text_facet() + "endsolid box\n";
+  std::string capitals = plain;
+  for (char& c : capitals) {
+    c = static_cast<char>(std::toupper(c));
+  }
+  const std::string one_line = replaced(plain, "\n", " ");
+  const std::string two_words =
+      replaced(replaced(replaced(plain, "endloop", "end loop"), "endfacet", "end facet"),
+               "endsolid", "end solid");
+  const std::vector<std::string> dialects{
+      plain,
+      capitals,
+      one_line,
+      replaced(one_line, "box", ""),
+      two_words,
+      replaced(two_words, "\n", "\r\n"),
+      replaced(plain, "\n", "\r"),
+      "\xEF\xBB\xBF" + plain,
+      "# made by hand\n; on a Monday\n" + replaced(plain, "outer", "// a corner each\nouter"),
+      replaced(plain, "box", "facet of a solid"),
+      replaced(plain, "box", "C:\\parts\\"),
+      replaced(plain, "normal 0 0 1", "normal -nan(ind) 1.#QNAN nan"),
+      replaced(plain, "normal 0 0 1", ""),
+      replaced(plain, "outer loop\nvertex", "outer\nloop\nvertex\n")};
+  for (const std::string& text : dialects) {
+    TriangleMesh mesh;
+    ASSERT_NO_THROW(mesh = read_mesh_bytes("a.stl", text)) << text;
+    ASSERT_EQ(mesh.triangles.size(), 2U) << text;
+    EXPECT_EQ(mesh.vertices[5], (Point{3, 5, 0})) << text;
+  }
+  EXPECT_EQ(read_mesh_bytes("a.stl", one_line + one_line).triangles.size(), 4U);
+  EXPECT_EQ(read_mesh_bytes("a.stl", plain + one_line + "\n" + plain).triangles.size(), 6U);
+}
+
+/// Bytes that name the order of the others: EF BB BF, which UTF-8 does not need.
+TEST(TextFiles, MayBeginWithAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF";
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nf 1 2 3\n";
+  EXPECT_EQ(read_mesh_bytes("a.obj", mark + obj).vertices.size(), 4U);
+  EXPECT_EQ(read_mesh_bytes("a.off", mark + "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+                .triangles.size(),
+            1U);
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  EXPECT_EQ(read_mesh_bytes("a.ply", mark + ply).triangles.size(), 1U);
+  EXPECT_EQ(read_mesh_bytes("a.ply", replaced(ply, "\n", "\r")).triangles.size(), 1U);
+  EXPECT_EQ(read_mesh_bytes("a.obj", replaced(obj, "\n", "\r")).triangles.size(), 1U);
+  for (const char* name : {"a.obj", "a.off", "a.ply", "a.stl"}) {
+    for (const std::string other : {"\xFF\xFE", "\xFE\xFF"}) {
+      try {
+        read_mesh_bytes(name, other + std::string("v\0 \0", 4));
+        ADD_FAILURE() << name;
+      } catch (const FileError& error) {
+        EXPECT_NE(std::string(error.what()).find("UTF-16"), std::string::npos) << error.what();
+      }
+    }
+  }
+}
+
 TEST(ObjFile, IsPlainText) {
   const TestFolder folder;
   write_mesh(folder / "a.obj", tetrahedron(), MeshFormat::obj);

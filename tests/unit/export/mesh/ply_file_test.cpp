@@ -10,6 +10,7 @@
 #include <assimp/scene.h>
 #include <gtest/gtest.h>
 
+#include "design/file_error.h"
 #include "export/mesh/mesh_file.h"
 #include "tests/unit/export/mesh/compare_meshes.h"
 #include "tests/unit/export/mesh/example_meshes.h"
@@ -43,6 +44,23 @@ class BinaryText {
  private:
   bool big_endian_;
 };
+
+/// A box of 10 x 20 x 30 as strips, by a face each, which -1 parts; or one that turns in place.
+TEST(PlyFile, ReadsTriangleStrips) {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\n"
+      "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n10 0 0\n0 20 0\n10 20 0\n0 0 30\n10 0 30\n0 20 30\n10 20 30\n";
+  const std::vector<Triangle> expected{{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {6, 5, 7}};
+  EXPECT_EQ(read(header + "10 0 2 1 3 -1 4 5 6 7 -1").triangles, expected);
+  // 3 and 4 twice each join the two, and make the second begin the right way round.
+  EXPECT_EQ(read(header + "10 0 2 1 3 3 4 4 5 6 7").triangles, expected);
+  EXPECT_EQ(read(header + "7 0 2 1 -1 4 5 6").triangles,
+            (std::vector<Triangle>{{0, 2, 1}, {4, 5, 6}}));
+  EXPECT_THROW(read(header + "3 0 1 8"), FileError);
+  EXPECT_THROW(read(header + "3 0 1 -2"), FileError);
+  EXPECT_THROW(read(header + "3 0 1"), FileError);
+}
 
 TEST(PlyFile, SpellsOutItsHeaderAndBytes) {
   const TriangleMesh mesh{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}}, {{2, 0, 1}}};

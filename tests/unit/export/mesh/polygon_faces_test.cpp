@@ -28,13 +28,9 @@ const std::vector<Prism>& prisms() {
   static const std::vector<Prism> all{
       {"L", {{0, 0}, {20, 0}, {20, 5}, {5, 5}, {5, 20}, {0, 20}}, 1750},
       {"chevron", {{0, 0}, {10, 5}, {0, 10}, {3, 5}}, 350},
-      {"T",
-       {{0, 10}, {5, 10}, {5, 0}, {10, 0}, {10, 10}, {15, 10}, {15, 15}, {0, 15}},
-       1250},
+      {"T", {{0, 10}, {5, 10}, {5, 0}, {10, 0}, {10, 10}, {15, 10}, {15, 15}, {0, 15}}, 1250},
       {"straight corners", {{0, 0}, {5, 0}, {10, 0}, {10, 10}, {5, 10}, {0, 10}}, 1000},
-      {"star",
-       {{10, 0}, {2, 2}, {0, 10}, {-2, 2}, {-10, 0}, {-2, -2}, {0, -10}, {2, -2}},
-       800}};
+      {"star", {{10, 0}, {2, 2}, {0, 10}, {-2, 2}, {-10, 0}, {-2, -2}, {0, -10}, {2, -2}}, 800}};
   return all;
 }
 
@@ -68,7 +64,8 @@ std::string text_of(const Prism& prism, const std::string& vertex, const std::st
 }
 
 std::string counts(const Prism& prism, const std::string& between) {
-  return std::to_string(2 * prism.outline.size()) + between + std::to_string(prism.outline.size() + 2);
+  return std::to_string(2 * prism.outline.size()) + between +
+         std::to_string(prism.outline.size() + 2);
 }
 
 void expect_sound(const TriangleMesh& mesh, const Prism& prism) {
@@ -82,9 +79,9 @@ void expect_sound(const TriangleMesh& mesh, const Prism& prism) {
 TEST(PolygonFaces, OfObjPlyAndOffAreSound) {
   for (const Prism& prism : prisms()) {
     expect_sound(read_mesh_bytes("a.obj", text_of(prism, "v ", "f", 1)), prism);
-    expect_sound(read_mesh_bytes("a.off", "OFF\n" + counts(prism, " ") + " 0\n" +
-                                              text_of(prism, "", "", 0)),
-                 prism);
+    expect_sound(
+        read_mesh_bytes("a.off", "OFF\n" + counts(prism, " ") + " 0\n" + text_of(prism, "", "", 0)),
+        prism);
     const std::string header =
         "ply\nformat ascii 1.0\nelement vertex " +
         counts(prism, "\nproperty float x\nproperty float y\nproperty float z\nelement face ") +
@@ -97,7 +94,8 @@ TEST(PolygonFaces, OfObjPlyAndOffAreSound) {
 TEST(PolygonFaces, WithNormals) {
   for (const Prism& prism : prisms()) {
     std::string text = "o Cube\n" + text_of(prism, "v ", "s off\nf", 1);
-    for (std::size_t at = text.find("\nf"); at != std::string::npos; at = text.find("\nf", at + 1)) {
+    for (std::size_t at = text.find("\nf"); at != std::string::npos;
+         at = text.find("\nf", at + 1)) {
       for (std::size_t i = text.find(' ', at + 3); i < text.find('\n', at + 1);
            i = text.find(' ', i + 5)) {
         text.insert(i, "//1");
@@ -109,9 +107,8 @@ TEST(PolygonFaces, WithNormals) {
 
 /// A square with a square hole in one face, whose outline goes to the hole and back.
 TEST(PolygonFaces, WithAKeyhole) {
-  const Prism ring{"keyhole",
-                   {{0, 0}, {10, 0}, {10, 10}, {0, 10}, {3, 3}, {7, 3}, {7, 7}, {3, 7}},
-                   840};
+  const Prism ring{
+      "keyhole", {{0, 0}, {10, 0}, {10, 10}, {0, 10}, {3, 3}, {7, 3}, {7, 7}, {3, 7}}, 840};
   std::string text = text_of(ring, "v ", "f", 1);
   text.erase(text.find("f "));
   const auto number = [](std::size_t corner, bool above) {
@@ -129,7 +126,8 @@ TEST(PolygonFaces, WithAKeyhole) {
     const std::size_t next = i % 4 == 3 ? i - 3 : i + 1;
     const std::size_t from = i < 4 ? i : next;
     const std::size_t to = i < 4 ? next : i;
-    text += "f" + number(from, false) + number(to, false) + number(to, true) + number(from, true) + "\n";
+    text += "f" + number(from, false) + number(to, false) + number(to, true) + number(from, true) +
+            "\n";
   }
   const Audit found = audit(weld(read_mesh_bytes("a.obj", text)));
   EXPECT_TRUE(found.passes());
@@ -158,9 +156,9 @@ std::unique_ptr<aiScene> assimp_scene(const Prism& prism) {
   mesh->mPrimitiveTypes = aiPrimitiveType_POLYGON;
   auto scene = std::make_unique<aiScene>();
   scene->mNumMeshes = 1;
-  scene->mMeshes = new aiMesh*[1]{mesh.release()};
+  scene->mMeshes = new aiMesh* [1] { mesh.release() };
   scene->mNumMaterials = 1;
-  scene->mMaterials = new aiMaterial*[1]{new aiMaterial};
+  scene->mMaterials = new aiMaterial* [1] { new aiMaterial };
   scene->mRootNode = new aiNode("part");
   scene->mRootNode->mNumMeshes = 1;
   scene->mRootNode->mMeshes = new unsigned[1]{0};

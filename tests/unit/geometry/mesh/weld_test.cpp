@@ -109,6 +109,17 @@ TEST(SameTriangles, AreToldByTheirCornersNotByTheirNumbers) {
   EXPECT_FALSE(same_triangles(unknown, unknown));
 }
 
+TEST(Weld, TellsWhetherASurfaceHasARim) {
+  TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                    {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  EXPECT_TRUE(is_closed(mesh));
+  mesh.triangles[3] = {1, 3, 2};  // turned over
+  EXPECT_FALSE(is_closed(mesh));
+  mesh.triangles.pop_back();
+  EXPECT_FALSE(is_closed(mesh));
+  EXPECT_TRUE(is_closed({}));
+}
+
 TEST(Weld, AgreesWithAnOrderedMap) {
   constexpr unsigned seed = 11;
   SCOPED_TRACE("seed " + std::to_string(seed));

@@ -20,11 +20,11 @@ using Outline = std::vector<std::array<double, 2>>;
 const Outline l_shape{{0, 0}, {20, 0}, {20, 5}, {5, 5}, {5, 20}, {0, 20}};
 const Outline t_shape{{0, 10}, {5, 10}, {5, 0}, {10, 0}, {10, 10}, {15, 10}, {15, 15}, {0, 15}};
 const Outline chevron{{0, 0}, {10, 5}, {0, 10}, {3, 5}};
-const Outline with_straight_corners{{0, 0}, {5, 0}, {10, 0}, {10, 10}, {7, 10}, {3, 10}, {0, 10},
-                                    {0, 5}};
+const Outline with_straight_corners{{0, 0},  {5, 0},  {10, 0}, {10, 10},
+                                    {7, 10}, {3, 10}, {0, 10}, {0, 5}};
 /// A square with a square hole, joined by a side that is walked there and back.
-const Outline keyhole{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}, {3, 3}, {3, 7}, {7, 7}, {7, 3},
-                      {3, 3}};
+const Outline keyhole{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0},
+                      {3, 3}, {3, 7},  {7, 7},   {7, 3},  {3, 3}};
 
 Outline star(int tips) {
   Outline outline;
@@ -98,12 +98,9 @@ void expect_covers(const std::vector<Point>& points, double area) {
 
 TEST(PolygonTriangles, CoverConcaveFacesInAnyPlane) {
   const double half = std::sqrt(0.5);
-  const std::vector<std::array<Point, 2>> planes{{{{1, 0, 0}, {0, 1, 0}}},
-                                                 {{{0, 1, 0}, {1, 0, 0}}},
-                                                 {{{0, 1, 0}, {0, 0, 1}}},
-                                                 {{{0, 0, 1}, {-1, 0, 0}}},
-                                                 {{{half, half, 0}, {0, 0, 1}}},
-                                                 {{{half, 0, half}, {0, 1, 0}}}};
+  const std::vector<std::array<Point, 2>> planes{
+      {{{1, 0, 0}, {0, 1, 0}}},  {{{0, 1, 0}, {1, 0, 0}}},       {{{0, 1, 0}, {0, 0, 1}}},
+      {{{0, 0, 1}, {-1, 0, 0}}}, {{{half, half, 0}, {0, 0, 1}}}, {{{half, 0, half}, {0, 1, 0}}}};
   for (const Outline& outline :
        {l_shape, t_shape, chevron, with_straight_corners, keyhole, star(5), star(60)}) {
     for (std::size_t first = 0; first < outline.size(); ++first) {
@@ -129,9 +126,9 @@ TEST(PolygonTriangles, CornersThatComeTwiceInARowCountOnce) {
 TEST(PolygonTriangles, OfWhatHasNoInsideUseEveryCorner) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const std::vector<Point>& points :
-       {std::vector<Point>{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},                // crosses itself
-        std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5, 0, 0}},   // a line
-        std::vector<Point>{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},                // a point
+       {std::vector<Point>{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}},  // crosses itself
+        std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {1.5, 0, 0}},  // a line
+        std::vector<Point>{{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}},               // a point
         std::vector<Point>{{0, 0, 0}, {5, 0, 0}, {5, 3, 0}, {1, 3, 0}, {1, -2, 0}, {4, -2, 0}},
         std::vector<Point>{{0, 0, 0}, {nan, 0, 0}, {1, 1, 0}, {0, 1, 0}},
         std::vector<Point>{{0, 0, 0}, {HUGE_VAL, 0, 0}, {1, 1, 0}, {0, 1, 0}}}) {
@@ -157,8 +154,8 @@ TEST(PolygonTriangles, CoverRandomFaces) {
     for (int i = 0; i < count && trial % 2 == 0; ++i) {
       const double angle = 2 * std::numbers::pi * (i + number(0, 0.5)) / count;
       const double r = number(1, 20);
-      outline.push_back({static_cast<float>(r * std::cos(angle)),
-                         static_cast<float>(r * std::sin(angle))});
+      outline.push_back(
+          {static_cast<float>(r * std::cos(angle)), static_cast<float>(r * std::sin(angle))});
     }
     for (int i = 0; i < count && trial % 2 == 1; ++i) {
       outline.push_back({i * 2.0, 0});
