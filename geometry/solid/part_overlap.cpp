@@ -11,8 +11,10 @@
 namespace latticast {
 namespace {
 
-constexpr std::size_t lines = 100;             // along each side of the common box
-constexpr std::size_t most_work = 1000000000;  // triangles that are looked at
+constexpr std::size_t lines = 100;  // along each side of the common box
+constexpr std::size_t most_found = 100;
+constexpr std::size_t most_work = 300000000;                // triangles that are looked at
+constexpr std::size_t work_of_a_pair = 10 * lines * lines;  // beside its triangles
 
 struct Interval {
   double low = 0;
@@ -240,10 +242,10 @@ PartOverlaps overlapping_parts(const std::vector<MeshObject>& objects,
          j < order.size() && boxes[order[j]].low[0] < boxes[order[i]].high[0]; ++j) {
       const auto [first, second] = std::minmax(order[i], order[j]);
       const Box<3> box = common(boxes[first], boxes[second]);
-      work += is_thick(box) ? lines * lines + objects[first].mesh.triangles.size() +
+      work += is_thick(box) ? work_of_a_pair + objects[first].mesh.triangles.size() +
                                   objects[second].mesh.triangles.size()
                             : 1;
-      if (work > most_work) {
+      if (work > most_work || result.found.size() == most_found) {
         result.searched_all = false;
         break;
       }

@@ -23,14 +23,15 @@ struct PartOverlap {
 
 struct PartOverlaps {
   std::vector<PartOverlap> found;  ///< in the order of the objects
-  bool searched_all = true;        ///< false where there were too many pairs to look at
+  bool searched_all = true;        ///< false where there were too many of them to look at
 };
 
 /// Pairs of objects that share more than a layer of contact_depth_mm. Each pair is sampled along
 /// lines parallel to x, y and z, 100 by 100 over the box that both have in common: what is narrower
 /// than a hundredth of that box may be missed. `sound[i]` says that object i is closed and faces
-/// outwards; others are left out. Time: the objects, sorted, plus for each pair of boxes that
-/// overlap the triangles of both; it ends after 10^9 of these.
+/// outwards; others are left out. Time: the objects, sorted, plus for each pair whose boxes overlap
+/// the triangles of both. Ends after 100 pairs that overlap, and after some thousand that do not,
+/// or 3 * 10^8 triangles.
 PartOverlaps overlapping_parts(const std::vector<MeshObject>& objects,
                                const std::vector<bool>& sound);
 
