@@ -36,20 +36,20 @@ std::string encode_three_mf(std::span<const NamedMesh> parts);
 void write_three_mf(const std::filesystem::path& file, std::span<const NamedMesh> parts);
 
 /// The meshes of all build items of a 3MF package in mm (the model's unit is applied), in their
-/// order, each object of a component by itself, with its name or that of what it is part of. What
-/// is not printed is left out: items marked so, supports, and the modifiers, negative volumes,
-/// support blockers and support enforcers of PrusaSlicer, Slic3r, Bambu Studio, Orca Slicer and
-/// Cura; a mesh of several volumes becomes an object for each. A coordinate is the float32 nearest
-/// to its text where nothing is moved or scaled; otherwise the product is rounded to float32 once.
-/// A transform that mirrors keeps the surface facing outward. Vertices and triangles are neither
-/// joined nor dropped. Colours, slices and beams are passed over.
+/// order, each object of a component by itself, with its name or that of what it is part of;
+/// objects in other models of the package included (production extension). What is not printed is
+/// left out: items marked so, supports, and the modifiers, negative volumes, support blockers and
+/// support enforcers of PrusaSlicer, Slic3r, Bambu Studio, Orca Slicer and Cura; a mesh of several
+/// volumes becomes an object for each. A coordinate is the float32 nearest to its text where
+/// nothing is moved or scaled; otherwise the product is rounded to float32 once. A transform that
+/// mirrors keeps the surface facing outward. Vertices and triangles are neither joined nor dropped.
+/// Colours, slices and beams are passed over.
 ///
-/// Memory grows with the unpacked model and, within `limits`, with what it places. Throws FileError
-/// naming `file`, and the model's line where there is one, for an archive or XML that is damaged, a
-/// number that is none, a triangle that names a missing vertex, an object that is not defined
-/// before it is used, objects in other models (production extension), a required extension that may
-/// change the geometry, an object whose mesh only stands for its slices, and what goes beyond
-/// `limits`.
+/// Memory grows with the unpacked models and, within `limits`, with what they place. Throws
+/// FileError naming `file`, and the model's line where there is one, for an archive or XML that is
+/// damaged, a number that is none, a triangle that names a missing vertex, an object that is not
+/// defined before it is used, a required extension that may change the geometry, an object whose
+/// mesh only stands for its slices, and what goes beyond `limits`.
 std::vector<MeshObject> decode_three_mf(const std::filesystem::path& file, std::string_view bytes,
                                         const MeshLimits& limits = {});
 

@@ -12,6 +12,7 @@
 #include "design/file_error.h"
 #include "export/mesh/line_reader.h"
 #include "export/mesh/xml_reader.h"
+#include "export/mesh/zip_archive.h"
 
 namespace latticast {
 namespace {
@@ -107,10 +108,13 @@ std::vector<TriangleMesh> printed_pieces(TriangleMesh mesh,
 /// The model's elements as they come by.
 class ThreeMfModelReader::Events {
  public:
-  Events(const std::filesystem::path& file, SlicerSettings settings, const MeshLimits& limits)
+  Events(const std::filesystem::path& file, std::string part, const SlicerSettings& settings,
+         const MeshLimits& limits, ThreeMfModel& model)
       : file_(file),
-        settings_(std::move(settings)),
+        part_(part_name(part)),
+        settings_(settings),
         limits_(limits),
+        model_(model),
         xml_(file, {.start = [this](std::string_view name,
                                     const XmlAttributes& attributes) { start(name, attributes); },
                     .end = [this](std::string_view name) { end(name); },
@@ -122,10 +126,7 @@ class ThreeMfModelReader::Events {
 
   void read(std::string_view piece) { xml_.read(piece); }
 
-  ThreeMfModel finish() {
-    xml_.finish();
-    return std::move(model_);
-  }
+  void finish() { xml_.finish(); }
 
  private:
   [[noreturn]] void fail(const std::string& reason) const {
@@ -162,6 +163,8 @@ class ThreeMfModelReader::Events {
       fail("a model in the namespace " + in_quotes(name_space) + ", which is not read");
     }
     core_ = name_space;
+    model_.items.clear();
+    model_.left_out = 0;
     read_unit(attributes);
     require_known_extensions(attributes);
   }
@@ -231,15 +234,18 @@ class ThreeMfModelReader::Events {
   }
 
   void read_volume(const XmlAttributes& attributes) {
-    if (!attributes.find("ts") || !attributes.find("te")) return;
+    if (!attributes.find("ts") || !attributes.find("te")) {
+      return;
+    }
     volumes_.push_back({index(attributes, "ts"), index(attributes, "te"),
                         attributes.find("modifier").value_or("0") != "1"});
   }
 
   void read_text(std::string_view text) {
     constexpr std::size_t longest = 16;
-    if (!flag_.empty())
+    if (!flag_.empty()) {
       flag_value_ += text.substr(0, longest - std::min(flag_value_.size(), longest));
+    }
   }
 
   void end_flag() {
@@ -267,7 +273,7 @@ class ThreeMfModelReader::Events {
       object.uses = sum(object.uses, 1);
       object.triangles = sum(object.triangles, body.triangles.size());
     }
-    if (!model_.objects.emplace(id_, std::move(object)).second) {
+    if (!model_.objects.emplace(ThreeMfKey(part_, id_), std::move(object)).second) {
       fail("a second object " + std::to_string(id_));
     }
     open_.reset();
@@ -331,6 +337,7 @@ class ThreeMfModelReader::Events {
     if (unit == units.end()) {
       fail(in_quotes(name) + " is no unit");
     }
+    model_.unit = in_place;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       model_.unit[axis][axis] = unit->second;
     }
@@ -339,7 +346,7 @@ class ThreeMfModelReader::Events {
   // Depths and counts add up here, so that what is too much is refused before it is placed.
   void read_component(const XmlAttributes& attributes) {
     ThreeMfObject& object = open_object();
-    if (++components_ > limits_.components) {
+    if (++model_.components > limits_.components) {
       fail("more than " + std::to_string(limits_.components) + " components");
     }
     const ThreeMfUse component = use(attributes);
@@ -348,7 +355,8 @@ class ThreeMfModelReader::Events {
     if (object.depth > limits_.depth) {
       fail("nests objects in objects more than " + std::to_string(limits_.depth) + " deep");
     }
-    if (!inner.printed || settings_.unprinted_components.contains({id_, component.object})) return;
+    if (!inner.printed || settings_.unprinted_components.contains({id_, component.object.second}))
+      return;
     object.uses = sum(object.uses, inner.uses);
     object.triangles = sum(object.triangles, inner.triangles);
     object.components.push_back(component);
@@ -361,7 +369,7 @@ class ThreeMfModelReader::Events {
     const ThreeMfUse item = use(attributes);
     const ThreeMfObject& object = model_.objects.at(item.object);
     if (!object.has_geometry) {
-      fail("object " + std::to_string(item.object) + " has neither a mesh nor components");
+      fail("object " + std::to_string(item.object.second) + " has neither a mesh nor components");
     }
     const std::string_view printable = attributes.find("printable").value_or("1");
     if (object.printed && printable != "0" && printable != "false") {
@@ -372,13 +380,13 @@ class ThreeMfModelReader::Events {
   }
 
   ThreeMfUse use(const XmlAttributes& attributes) const {
-    if (attributes.find(path_elsewhere)) {
-      fail("an object in another model (3MF production extension), which is not read");
-    }
-    ThreeMfUse use{index(attributes, "objectid"), in_place};
+    const auto elsewhere = attributes.find(path_elsewhere);
+    ThreeMfUse use{{elsewhere ? part_name(*elsewhere) : part_, index(attributes, "objectid")},
+                   in_place};
     // Objects that are defined before they are used cannot contain themselves.
     if (model_.objects.count(use.object) == 0) {
-      fail("there is no object " + std::to_string(use.object) + " before it");
+      fail("there is no object " + std::to_string(use.object.second) +
+           (elsewhere ? " in " + in_quotes(*elsewhere) : " before it"));
     }
     if (const auto transform = attributes.find("transform")) {
       read_transform(*transform, use.placement);
@@ -401,24 +409,25 @@ class ThreeMfModelReader::Events {
   }
 
   const std::filesystem::path& file_;
-  SlicerSettings settings_;
-  MeshLimits limits_;
+  std::string part_;
+  const SlicerSettings& settings_;
+  const MeshLimits& limits_;
+  ThreeMfModel& model_;
   XmlReader xml_;
   std::map<std::string, std::string> prefixes_;
   std::optional<std::string> core_;  ///< the model's namespace
-  ThreeMfModel model_;
   std::optional<ThreeMfObject> open_;
   TriangleMesh mesh_;                  ///< of the open object
   std::vector<SlicerVolume> volumes_;  ///< of the open object, as Slic3r has them in the model
   std::uint32_t id_ = 0;
-  std::size_t components_ = 0;
   std::string flag_;  ///< the setting whose value is being read
   std::string flag_value_;
 };
 
-ThreeMfModelReader::ThreeMfModelReader(const std::filesystem::path& file, SlicerSettings settings,
-                                       const MeshLimits& limits)
-    : events_(std::make_unique<Events>(file, std::move(settings), limits)) {}
+ThreeMfModelReader::ThreeMfModelReader(const std::filesystem::path& file, std::string part,
+                                       const SlicerSettings& settings, const MeshLimits& limits,
+                                       ThreeMfModel& model)
+    : events_(std::make_unique<Events>(file, std::move(part), settings, limits, model)) {}
 
 ThreeMfModelReader::~ThreeMfModelReader() = default;
 
@@ -426,8 +435,8 @@ void ThreeMfModelReader::read(std::string_view piece) {
   events_->read(piece);
 }
 
-ThreeMfModel ThreeMfModelReader::finish() {
-  return events_->finish();
+void ThreeMfModelReader::finish() {
+  events_->finish();
 }
 
 }  // namespace latticast

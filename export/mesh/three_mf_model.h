@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "export/mesh/mesh_limits.h"
@@ -18,9 +19,12 @@
 
 namespace latticast {
 
+/// The model part of the package that holds an object, and the object's number in it.
+using ThreeMfKey = std::pair<std::string, std::uint32_t>;
+
 /// An object where something uses it.
 struct ThreeMfUse {
-  std::uint32_t object = 0;
+  ThreeMfKey object;
   Placement placement = in_place;
 };
 
@@ -36,18 +40,22 @@ struct ThreeMfObject {
   std::size_t triangles = 0;  ///< of these
 };
 
+/// All model parts of a package together.
 struct ThreeMfModel {
-  Placement unit = in_place;  ///< to millimetres
-  std::map<std::uint32_t, ThreeMfObject> objects;
-  std::vector<ThreeMfUse> items;  ///< those that are printed
-  std::size_t left_out = 0;       ///< items that are not
+  Placement unit = in_place;  ///< to millimetres, of the part that was read last
+  std::map<ThreeMfKey, ThreeMfObject> objects;
+  std::size_t components = 0;
+  std::vector<ThreeMfUse> items;  ///< those of the part that was read last that are printed
+  std::size_t left_out = 0;       ///< and how many are not
 };
 
-/// Takes the model's XML piece by piece.
+/// Takes the XML of a model part piece by piece, and adds to `model`. The root part comes last:
+/// only its items count, and it may use the objects of the parts before it (production extension).
 class ThreeMfModelReader {
  public:
-  ThreeMfModelReader(const std::filesystem::path& file, SlicerSettings settings,
-                     const MeshLimits& limits);
+  /// All must outlive it. `part` is the name of the part.
+  ThreeMfModelReader(const std::filesystem::path& file, std::string part,
+                     const SlicerSettings& settings, const MeshLimits& limits, ThreeMfModel& model);
   ~ThreeMfModelReader();
   ThreeMfModelReader(const ThreeMfModelReader&) = delete;
   ThreeMfModelReader& operator=(const ThreeMfModelReader&) = delete;
@@ -56,7 +64,7 @@ class ThreeMfModelReader {
   void read(std::string_view piece);
 
   /// After the last piece.
-  ThreeMfModel finish();
+  void finish();
 
  private:
   class Events;

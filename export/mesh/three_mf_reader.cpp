@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "design/file_error.h"
 #include "export/mesh/three_mf_file.h"
@@ -15,24 +16,55 @@ namespace {
 constexpr std::string_view model_relationship =
     "http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel";
 
-/// The name of the model inside the package.
-std::string model_name(const std::filesystem::path& file, const ZipReader& package) {
-  std::string name;
+/// The models that a part of relationships names, in their order. Names are relative to `folder`.
+std::vector<std::string> models_named(const std::filesystem::path& file, const ZipReader& package,
+                                      const std::string& relationships, const std::string& folder) {
+  std::vector<std::string> names;
   XmlReader xml(file,
                 {.start =
                      [&](std::string_view element, const XmlAttributes& attributes) {
                        if ((element == "Relationship" || element.ends_with("|Relationship")) &&
                            attributes.find("Type") == model_relationship) {
-                         name = attributes.find("Target").value_or("");
+                         const std::string name(attributes.find("Target").value_or(""));
+                         names.push_back(name.starts_with('/') ? name.substr(1) : folder + name);
                        }
                      },
                  .end = [](std::string_view) {}});
-  package.read("_rels/.rels", [&](std::string_view piece) { xml.read(piece); });
+  package.read(relationships, [&](std::string_view piece) { xml.read(piece); });
   xml.finish();
-  if (name.empty()) {
+  return names;
+}
+
+/// The model parts of the package, the root last: it uses objects of the others.
+std::vector<std::string> model_parts(const std::filesystem::path& file, const ZipReader& package) {
+  const std::vector<std::string> roots = models_named(file, package, "_rels/.rels", "");
+  if (roots.empty() || roots.back().empty()) {
     throw FileError(file, "names no 3MF model inside");
   }
-  return name.substr(name.front() == '/' ? 1 : 0);
+  const std::string& root = roots.back();
+  const std::size_t slash = root.rfind('/') + 1;  // 0 where there is none
+  const std::string folder = root.substr(0, slash);
+  const std::string relationships = folder + "_rels/" + root.substr(slash) + ".rels";
+  std::vector<std::string> parts;
+  if (package.has(relationships)) parts = models_named(file, package, relationships, folder);
+  for (std::string& part : parts) part = part_name(part);
+  std::sort(parts.begin(), parts.end());
+  parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+  std::erase(parts, part_name(root));
+  parts.push_back(root);
+  return parts;
+}
+
+ThreeMfModel read_model(const std::filesystem::path& file, const ZipReader& package,
+                        const MeshLimits& limits) {
+  const SlicerSettings settings = read_slicer_settings(file, package);
+  ThreeMfModel model;
+  for (const std::string& part : model_parts(file, package)) {
+    ThreeMfModelReader reader(file, part, settings, limits, model);
+    package.read(part, [&](std::string_view piece) { reader.read(piece); });
+    reader.finish();
+  }
+  return model;
 }
 
 TriangleMesh placed_body(const Placement& placement, const TriangleMesh& body) {
@@ -66,7 +98,7 @@ void place(const ThreeMfModel& model, const ThreeMfUse& used, const std::string&
 void require_bounded(const std::filesystem::path& file, const ThreeMfModel& model,
                      const MeshLimits& limits) {
   std::size_t held = 0;
-  for (const auto& [number, object] : model.objects) {
+  for (const auto& [key, object] : model.objects) {
     for (const TriangleMesh& body : object.bodies) held += body.triangles.size();
   }
   const std::size_t most = std::max(held, limits.triangles);
@@ -89,9 +121,7 @@ void require_bounded(const std::filesystem::path& file, const ThreeMfModel& mode
 std::vector<MeshObject> decode_three_mf(const std::filesystem::path& file, std::string_view bytes,
                                         const MeshLimits& limits) {
   const ZipReader package(file, bytes);
-  ThreeMfModelReader reader(file, read_slicer_settings(file, package), limits);
-  package.read(model_name(file, package), [&](std::string_view piece) { reader.read(piece); });
-  const ThreeMfModel model = reader.finish();
+  const ThreeMfModel model = read_model(file, package, limits);
   require_bounded(file, model, limits);
   std::vector<MeshObject> objects;
   for (const ThreeMfUse& item : model.items) {

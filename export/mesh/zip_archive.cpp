@@ -29,28 +29,6 @@ struct FreeSource {
 };
 using Source = std::unique_ptr<zip_source_t, FreeSource>;
 
-/// A name in small letters, without its percent codes, backslashes and leading "/" or "./".
-std::string plain(std::string_view name) {
-  std::string result;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    unsigned code = 0;
-    if (name[i] == '%' && i + 2 < name.size() &&
-        std::from_chars(&name[i + 1], &name[i + 1] + 2, code, 16).ptr == &name[i + 1] + 2) {
-      result += static_cast<char>(code);
-      i += 2;
-    } else {
-      result += name[i] == '\\' ? '/' : name[i];
-    }
-  }
-  for (char& c : result) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  while (result.starts_with('/') || result.starts_with("./")) {
-    result.erase(0, result.front() == '/' ? 1 : 2);
-  }
-  return result;
-}
-
 [[noreturn]] void fail_to_zip() {
   throw std::runtime_error("a zip archive could not be made in memory");
 }
@@ -86,6 +64,27 @@ std::string content(zip_source_t* source) {
 
 }  // namespace
 
+std::string part_name(std::string_view name) {
+  std::string result;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    unsigned code = 0;
+    if (name[i] == '%' && i + 2 < name.size() &&
+        std::from_chars(&name[i + 1], &name[i + 1] + 2, code, 16).ptr == &name[i + 1] + 2) {
+      result += static_cast<char>(code);
+      i += 2;
+    } else {
+      result += name[i] == '\\' ? '/' : name[i];
+    }
+  }
+  for (char& c : result) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  while (result.starts_with('/') || result.starts_with("./")) {
+    result.erase(0, result.front() == '/' ? 1 : 2);
+  }
+  return result;
+}
+
 std::string zip(std::span<const ZipEntry> entries) {
   const Source source(zip_source_buffer_create(nullptr, 0, 0, nullptr));
   if (!source) {
@@ -109,12 +108,12 @@ std::string zip(std::span<const ZipEntry> entries) {
 
 struct ZipReader::Archive {
   std::optional<zip_uint64_t> find(const std::string& name) const {
-    const std::string wanted = plain(name);
+    const std::string wanted = part_name(name);
     const zip_int64_t count = zip_get_num_entries(open.get(), 0);
     for (zip_int64_t i = 0; i < count; ++i) {
       const auto index = static_cast<zip_uint64_t>(i);
       const char* const entry = zip_get_name(open.get(), index, 0);
-      if (entry != nullptr && plain(entry) == wanted) return index;
+      if (entry != nullptr && part_name(entry) == wanted) return index;
     }
     return std::nullopt;
   }

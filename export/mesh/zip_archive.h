@@ -20,6 +20,10 @@ struct ZipEntry {
 /// bytes depend on the entries alone. Throws std::runtime_error when memory runs out.
 std::string zip(std::span<const ZipEntry> entries);
 
+/// The name of a part as entries are compared: in small letters, without percent codes, backslashes
+/// and a leading "/" or "./".
+std::string part_name(std::string_view name);
+
 /// Reads entries of an archive that `bytes`, which must outlive it, hold.
 class ZipReader {
  public:
@@ -29,8 +33,7 @@ class ZipReader {
   ZipReader(const ZipReader&) = delete;
   ZipReader& operator=(const ZipReader&) = delete;
 
-  /// Whether there is an entry of this name. Names are compared without case, and with their
-  /// percent codes read: "a%20b" is "A b".
+  /// Whether there is an entry of this name, by part_name().
   bool has(const std::string& name) const;
 
   /// Hands on an entry's bytes piece by piece. Throws FileError

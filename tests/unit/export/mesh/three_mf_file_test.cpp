@@ -256,7 +256,8 @@ TEST(ThreeMfReader, SaysWhatIsWrong) {
   }
   const std::vector<std::tuple<std::string, std::string, std::string>> models{
       {triangle_object + triangle_object, item, "a second object 1"},
-      {triangle_object, "<c:item objectid=\"1\" p:path=\"/3D/b.model\"/>", "another model"},
+      {triangle_object, "<c:item objectid=\"1\" p:path=\"/3D/b.model\"/>",
+       "no object 1 in \"/3D/b.model\""},
       {triangle_object, "<c:item objectid=\"1\" transform=\"1 0 0\"/>", "twelve numbers"},
       {triangle_object, "<c:vertex x=\"1\" y=\"1\" z=\"1\"/>", "outside of an object"},
       {"<c:object id=\"1\"><c:components><c:component objectid=\"1\"/></c:components></c:object>",

@@ -159,6 +159,40 @@ TEST(ThreeMfObjects, PartsOfBambuStudioThatAreNotNormalAreLeftOut) {
   }
 }
 
+/// Bambu Studio and Orca Slicer keep each mesh in a model of its own.
+TEST(ThreeMfObjects, OfOtherModelsInThePackageAreRead) {
+  const auto uses = [](const std::string& path) {
+    return model_of(
+        "<c:object id=\"8\"><c:components><c:component p:path=\"" + path +
+            "\" objectid=\"1\"/><c:component p:path=\"/3D/Objects/a%20b.model\" objectid=\"2\" "
+            "transform=\"1 0 0 0 1 0 0 0 1 5 0 0\"/></c:components></c:object>",
+        "<c:item objectid=\"8\"/>", "requiredextensions=\"p\"");
+  };
+  const std::string parts = model_of(
+      box_object(1, {{0, 0, 0}}) + box_object(2, {{50, 0, 0}}, "type=\"model\""), item_1 + item_2);
+  const std::string settings =
+      "<config><object id=\"8\"><part id=\"1\" subtype=\"normal_part\"/><part id=\"2\" "
+      "subtype=\"modifier_part\"/></object></config>";
+  const auto bytes = [&](const std::string& path, const std::string& target,
+                         const std::string& config) {
+    return zip(std::array<ZipEntry, 5>{{{"_rels/.rels", relationships_to("/3D/3dmodel.model")},
+                                        {"3D/3dmodel.model", uses(path)},
+                                        {"3D/_rels/3dmodel.model.rels", relationships_to(target)},
+                                        {"3D/Objects/a b.model", parts},
+                                        {"Metadata/" + config, settings}}});
+  };
+  const std::string path = "/3D/Objects/a b.model";
+  for (const std::string& target : {path, std::string("Objects/a%20b.model")}) {
+    const auto objects = objects_of(bytes(path, target, "other.config"));
+    ASSERT_EQ(objects.size(), 2U);
+    EXPECT_EQ(objects[1].mesh.vertices[0], (Point{55, 0, 0}));
+  }
+  EXPECT_EQ(objects_of(bytes(path, path, "model_settings.config")).size(), 1U);
+  EXPECT_TRUE(says(complaint(bytes("/3D/c.model", path, "other.config")),
+                   "no object 1 in \"/3D/c.model\""));
+  EXPECT_TRUE(says(complaint(bytes(path, "/3D/missing.model", "other.config")), "missing.model"));
+}
+
 TEST(ThreeMfObjects, MeshesOfCuraThatChangeOthersAreLeftOut) {
   for (const std::string key : {"infill_mesh", "cutting_mesh", "anti_overhang_mesh", "support_mesh",
                                 "drop_to_buildplate"}) {
