@@ -24,7 +24,7 @@ std::vector<Triangle> FaceList::triangles(std::span<const Point> vertices) && {
   std::size_t taken = 0;
   for (std::size_t i = 0; i < polygons_.size(); ++i) {
     const auto [place, first] = polygons_[i];
-    all.insert(all.end(), triangles_.begin() + taken, triangles_.begin() + place);
+    all.insert(all.end(), triangles_.data() + taken, triangles_.data() + place);
     taken = place;
     const std::size_t end = i + 1 < polygons_.size() ? polygons_[i + 1].first : corners_.size();
     points.clear();
@@ -33,7 +33,7 @@ std::vector<Triangle> FaceList::triangles(std::span<const Point> vertices) && {
       all.push_back({corners_[first + t[0]], corners_[first + t[1]], corners_[first + t[2]]});
     }
   }
-  all.insert(all.end(), triangles_.begin() + taken, triangles_.end());
+  all.insert(all.end(), triangles_.data() + taken, triangles_.data() + triangles_.size());
   return all;
 }
 
