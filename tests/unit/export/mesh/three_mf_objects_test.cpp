@@ -205,14 +205,15 @@ TEST(ThreeMfObjects, MeshesOfCuraThatChangeOthersAreLeftOut) {
 }
 
 TEST(ThreeMfObjects, SupportsAndWhatIsNotPrintableAreLeftOut) {
-  const std::string box = box_object(1, {{0, 0, 0}});
   for (const std::string type : {"support", "solidsupport", "other", "model", "surface"}) {
-    const std::string resources =
-        box + box_object(2, {{50, 0, 0}}, "type=\"" + type + "\"") + assembly(3, {1, 2});
+    std::string resources = box_object(1, {{0, 0, 0}});
+    resources += box_object(2, {{50, 0, 0}}, "type=\"" + type + "\"");
+    resources += assembly(3, {1, 2});
     const std::size_t printed = type == "model" || type == "surface" ? 2 : 1;
     EXPECT_EQ(objects_of(package(model_of(resources, item_3))).size(), printed) << type;
     EXPECT_EQ(objects_of(package(model_of(resources, item_1 + item_2))).size(), printed) << type;
   }
+  const std::string box = box_object(1, {{0, 0, 0}});
   const std::string hidden = "<c:item objectid=\"1\" printable=\"0\"/>";
   EXPECT_EQ(objects_of(package(model_of(box, hidden + item_1))).size(), 1U);
   EXPECT_TRUE(says(complaint(package(model_of(box, hidden))), "nothing that is printed"));

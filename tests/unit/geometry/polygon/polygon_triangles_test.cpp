@@ -152,7 +152,7 @@ TEST(PolygonTriangles, CoverRandomFaces) {
     Outline outline;
     const int count = 4 + static_cast<int>(random() % 60);
     for (int i = 0; i < count && trial % 2 == 0; ++i) {
-      const double angle = 2 * std::numbers::pi * (i + number(0, 0.5)) / count;
+      const double angle = 2 * std::numbers::pi * (double{number(0, 0.5)} + i) / count;
       const double r = number(1, 20);
       outline.push_back(
           {static_cast<float>(r * std::cos(angle)), static_cast<float>(r * std::sin(angle))});

@@ -46,6 +46,7 @@ TriangleMesh tube(double inner, double outer, double height, int sides, double t
 
 std::vector<PartOverlap> found(const std::vector<TriangleMesh>& meshes) {
   std::vector<MeshObject> objects;
+  objects.reserve(meshes.size());
   for (const TriangleMesh& mesh : meshes) objects.push_back({"", mesh});
   const PartOverlaps result = overlapping_parts(objects, std::vector<bool>(objects.size(), true));
   EXPECT_TRUE(result.searched_all);
