@@ -268,7 +268,7 @@ class BodyReader {
     std::int64_t length = 0;  // of the strip so far
     for (std::int64_t i = 0; i < count; ++i) {
       const std::int64_t number = values_.integer(property.type);
-      if (number == -1) {
+      if (number == -1 || (property.type == PlyType::uint32 && number == 0xFFFFFFFF)) {
         length = 0;
         continue;
       }

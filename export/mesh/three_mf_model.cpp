@@ -355,8 +355,9 @@ class ThreeMfModelReader::Events {
     if (object.depth > limits_.depth) {
       fail("nests objects in objects more than " + std::to_string(limits_.depth) + " deep");
     }
-    if (!inner.printed || settings_.unprinted_components.contains({id_, component.object.second}))
+    if (!inner.printed || settings_.unprinted_components.contains({id_, component.object.second})) {
       return;
+    }
     object.uses = sum(object.uses, inner.uses);
     object.triangles = sum(object.triangles, inner.triangles);
     object.components.push_back(component);

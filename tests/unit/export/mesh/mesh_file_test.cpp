@@ -75,6 +75,7 @@ std::unique_ptr<aiScene> assimp_scene(const TriangleMesh& mesh, const aiVector3D
 
 std::vector<MeshFormat> all_mesh_formats() {
   std::vector<MeshFormat> formats;
+  formats.reserve(mesh_format_names.size());
   for (const MeshFormatName& known : mesh_format_names) formats.push_back(known.format);
   return formats;
 }

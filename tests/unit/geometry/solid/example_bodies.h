@@ -17,8 +17,9 @@ inline TriangleMesh tetrahedron() {
 
 inline TriangleMesh cube() {
   TriangleMesh mesh;
-  for (int i = 0; i < 8; ++i)
+  for (int i = 0; i < 8; ++i) {
     mesh.vertices.push_back({i & 1 ? 1.0 : 0, i & 2 ? 1.0 : 0, i & 4 ? 1.0 : 0});
+  }
   mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                     {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
   return mesh;
