@@ -53,9 +53,9 @@ bool is_thick(const Box<3>& box) {
 }
 
 // The lines parallel to one axis through the middles of the cells of a grid.
-class Grid {
+class LineGrid {
  public:
-  Grid(const Box<3>& box, int along) : along_(along), u_((along + 1) % 3), v_((along + 2) % 3) {
+  LineGrid(const Box<3>& box, int along) : along_(along), u_((along + 1) % 3), v_((along + 2) % 3) {
     for (int i = 0; i < 3; ++i) {
       low_[i] = box.low[i];
       step_[i] = (box.high[i] - box.low[i]) / lines;
@@ -144,7 +144,7 @@ Intervals inside(std::vector<Crossing>& crossings) {
   return depth == 0 ? result : Intervals{};
 }
 
-std::vector<Intervals> inside(const TriangleMesh& mesh, const Grid& grid) {
+std::vector<Intervals> inside(const TriangleMesh& mesh, const LineGrid& grid) {
   std::vector<std::vector<Crossing>> crossings(lines * lines);
   for (const Triangle& t : mesh.triangles) {
     grid.for_each_crossing(
@@ -169,7 +169,7 @@ Intervals common(const Intervals& a, const Intervals& b) {
 
 // What both objects claim, along the lines of one direction.
 struct Claimed {
-  Grid grid;
+  LineGrid grid;
   std::vector<Intervals> lines;
 
   double volume() const {
@@ -191,7 +191,7 @@ struct Claimed {
 
 Claimed claimed_by_both(const TriangleMesh& a, const TriangleMesh& b, const Box<3>& box,
                         int along) {
-  Claimed claimed{Grid(box, along), inside(a, Grid(box, along))};
+  Claimed claimed{LineGrid(box, along), inside(a, LineGrid(box, along))};
   const std::vector<Intervals> other = inside(b, claimed.grid);
   for (std::size_t i = 0; i < other.size(); ++i) {
     claimed.lines[i] = common(claimed.lines[i], other[i]);
