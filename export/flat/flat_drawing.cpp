@@ -96,13 +96,15 @@ std::vector<std::string> drawing_notes(const Segment& segment) {
       "seen from outside, z upwards; the left edge joins the right one",
       fmt::format("sheet {} mm thick, rolled to an inner radius of {} mm",
                   written(lattice.thickness_mm, 6), written(segment.liner_outer_radius_mm(), 6))};
-  if (lattice.rings)
+  if (lattice.rings) {
     notes.push_back(fmt::format("rings: {} mm wide", written(lattice.rings->width_mm, 6)));
+  }
   for (std::size_t i = 0; i < lattice.grids.size(); ++i) {
     notes.push_back(family_text(lattice.grids[i], i));
   }
-  if (lattice.fillet_mm > 0)
+  if (lattice.fillet_mm > 0) {
     notes.push_back(fmt::format("fillets: {} mm", written(lattice.fillet_mm, 6)));
+  }
   return notes;
 }
 

@@ -108,7 +108,7 @@ std::vector<TriangleMesh> printed_pieces(TriangleMesh mesh,
 /// The model's elements as they come by.
 class ThreeMfModelReader::Events {
  public:
-  Events(const std::filesystem::path& file, std::string part, const SlicerSettings& settings,
+  Events(const std::filesystem::path& file, std::string_view part, const SlicerSettings& settings,
          const MeshLimits& limits, ThreeMfModel& model)
       : file_(file),
         part_(part_name(part)),
@@ -425,10 +425,10 @@ class ThreeMfModelReader::Events {
   std::string flag_value_;
 };
 
-ThreeMfModelReader::ThreeMfModelReader(const std::filesystem::path& file, std::string part,
+ThreeMfModelReader::ThreeMfModelReader(const std::filesystem::path& file, std::string_view part,
                                        const SlicerSettings& settings, const MeshLimits& limits,
                                        ThreeMfModel& model)
-    : events_(std::make_unique<Events>(file, std::move(part), settings, limits, model)) {}
+    : events_(std::make_unique<Events>(file, part, settings, limits, model)) {}
 
 ThreeMfModelReader::~ThreeMfModelReader() = default;
 

@@ -54,7 +54,7 @@ struct ThreeMfModel {
 class ThreeMfModelReader {
  public:
   /// All must outlive it. `part` is the name of the part.
-  ThreeMfModelReader(const std::filesystem::path& file, std::string part,
+  ThreeMfModelReader(const std::filesystem::path& file, std::string_view part,
                      const SlicerSettings& settings, const MeshLimits& limits, ThreeMfModel& model);
   ~ThreeMfModelReader();
   ThreeMfModelReader(const ThreeMfModelReader&) = delete;
