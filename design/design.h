@@ -21,6 +21,8 @@ struct Liner {
   double inner_radius_mm = 0;
   double thickness_mm = 0;
   Material material;
+
+  friend bool operator==(const Liner&, const Liner&) = default;
 };
 
 /// Circumferential rings. Exactly one of `count` (>= 2, evenly spaced, first and last flush with
@@ -37,6 +39,8 @@ struct Rings {
   /// Of the first ring by pitch that does not reach past the segment's start. Precondition: rings
   /// by pitch.
   double first_centre_mm() const;
+
+  friend bool operator==(const Rings&, const Rings&) = default;
 };
 
 /// Unit vector along a straight line of the unrolled plane: u runs around the tube, z along it.
@@ -57,6 +61,8 @@ struct Grid {
   /// Mirrored angles, alpha and 180 degrees - alpha, have exactly mirrored directions; that of 90
   /// degrees is exactly (0, 1).
   StrandDirection direction() const;
+
+  friend bool operator==(const Grid&, const Grid&) = default;
 };
 
 /// The reinforcing layer bonded outside the liner.
@@ -66,6 +72,8 @@ struct Lattice {
   std::optional<Rings> rings;
   std::vector<Grid> grids;
   double fillet_mm = 0;  ///< radius of every inward corner where strands meet; 0: sharp
+
+  friend bool operator==(const Lattice&, const Lattice&) = default;
 };
 
 /// One length of tube with its own section and, in a load case, its own pressure.
@@ -85,6 +93,8 @@ struct Segment {
   }
   /// 2 pi R_c, the period of the unrolled plane. Precondition: the segment has a lattice.
   double lattice_circumference_mm() const { return 2 * std::numbers::pi * lattice_mid_radius_mm(); }
+
+  friend bool operator==(const Segment&, const Segment&) = default;
 };
 
 /// One pressure per segment.

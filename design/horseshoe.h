@@ -21,6 +21,8 @@ struct Horseshoe {
   static Horseshoe read(const Field& field, double strand_mm);
   PathDescription description() const;
   Horseshoe scaled(double factor) const { return {factor * radius_mm, arc_deg, alternate}; }
+
+  friend bool operator==(const Horseshoe&, const Horseshoe&) = default;
 };
 
 }  // namespace latticast

@@ -20,6 +20,8 @@ struct Sinusoid {
   static Sinusoid read(const Field& field, double strand_mm);
   PathDescription description() const;
   Sinusoid scaled(double factor) const { return {factor * amplitude_mm, waves}; }
+
+  friend bool operator==(const Sinusoid&, const Sinusoid&) = default;
 };
 
 }  // namespace latticast

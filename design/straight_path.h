@@ -16,6 +16,8 @@ struct StraightPath {
             .parameters = {}};
   }
   StraightPath scaled(double /*factor*/) const { return *this; }
+
+  friend bool operator==(const StraightPath&, const StraightPath&) = default;
 };
 
 }  // namespace latticast

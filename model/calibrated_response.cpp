@@ -40,18 +40,22 @@ std::vector<std::size_t> beyond_section(const Section& section, const Response& 
 }
 
 Deformation deformation_of(const Section& section, const State& state) {
-  return {.elongation = state.stretch - 1,
-          .twist = state.twist_rad_per_mm,
-          .inner_growth = state.inner_radius_mm - section.inner_radius_mm};
+  return state.deformation(section.inner_radius_mm, section.axis_rad);
 }
 
-/// Of the cell's energy by (lambda, k, a): pressure and what holds the held coordinates.
-std::array<double, natural_strain_count> energy_gradient(const Section& section,
-                                                         const State& state) {
-  const SectionEnergy cavity = cavity_growth(section, deformation_of(section, state));
-  const double pressure = mpa_from_kpa(state.pressure_kpa);
-  return {pressure * cavity.gradient[coordinate::elongation] + state.force_n, state.torque_nmm,
-          pressure * cavity.gradient[coordinate::inner_growth]};
+/// Of the cell's energy: pressure and what holds the held coordinates.
+std::array<double, coordinate_count> energy_gradient(const Section& section, const State& state) {
+  std::array<double, coordinate_count> gradient =
+      cavity_growth(section, deformation_of(section, state)).gradient;
+  for (double& part : gradient) part *= mpa_from_kpa(state.pressure_kpa);
+  gradient[coordinate::elongation] += state.force_n;
+  gradient[coordinate::twist] += state.torque_nmm;
+  const double cosine = std::cos(section.axis_rad);
+  const double sine = std::sin(section.axis_rad);
+  const auto& moment = state.moment_nmm;
+  gradient[coordinate::bend_1] += cosine * moment[0] + sine * moment[1];
+  gradient[coordinate::bend_2] += cosine * moment[1] - sine * moment[0];
+  return gradient;
 }
 
 double percent_off(double value, double truth) {
@@ -61,11 +65,20 @@ double percent_off(double value, double truth) {
 std::string drift_text(const State& section, const State& cell) {
   std::string text = "calibrated by the unit cell at rest and at " +
                      pressure_text(cell.pressure_kpa) + ", where rest alone is off by ";
-  std::array<char, 80> numbers{};
-  std::snprintf(numbers.data(), numbers.size(), "%.1f %% in stretch - 1 and %.1f %% in twist",
-                percent_off(section.stretch - 1, cell.stretch - 1),
-                percent_off(section.twist_rad_per_mm, cell.twist_rad_per_mm));
-  return text + numbers.data();
+  const auto percent = [](const char* name, double value, double truth) {
+    std::array<char, 60> number{};
+    std::snprintf(number.data(), number.size(), "%.1f %% in %s", percent_off(value, truth), name);
+    return std::string(number.data());
+  };
+  text += percent("stretch - 1", section.stretch - 1, cell.stretch - 1);
+  if (cell.twist_rad_per_mm != 0) {
+    text += " and " + percent("twist", section.twist_rad_per_mm, cell.twist_rad_per_mm);
+  }
+  if (cell.bend_magnitude_rad_per_mm() != 0) {
+    text += " and " + percent("bending", section.bend_magnitude_rad_per_mm(),
+                              cell.bend_magnitude_rad_per_mm());
+  }
+  return text;
 }
 
 class CalibratedSolver {

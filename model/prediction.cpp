@@ -5,19 +5,46 @@
 #include <numbers>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "design/units.h"
+#include "model/prepared_segment.h"
 #include "model/segment_response.h"
 
 namespace latticast {
 namespace {
 
-std::optional<Response> predict_scaled(Segment segment, const ModelChoice& model,
+std::optional<Response> predict_scaled(PreparedSegments& prepared, Segment segment,
                                        const std::vector<double>& pressures, Held held,
                                        std::optional<double> factor) {
   if (!factor) return std::nullopt;
   segment.liner.material.law = scaled(segment.liner.material.law, *factor);
-  return predict(segment, model, pressures, held);
+  return predict(prepared.prepare(segment), pressures, held);
+}
+
+SegmentPrediction predict_segment(PreparedSegments& prepared, const Segment& segment,
+                                  const std::vector<double>& pressures_kpa, Held held,
+                                  bool with_bands) {
+  SegmentPrediction result{
+      pressures_kpa, predict(prepared.prepare(segment), pressures_kpa, held), {}, {}};
+  if (!with_bands) return result;
+  const Material& liner = segment.liner.material;
+  result.softest = predict_scaled(prepared, segment, pressures_kpa, held, liner.modulus_low_factor);
+  result.stiffest =
+      predict_scaled(prepared, segment, pressures_kpa, held, liner.modulus_high_factor);
+  return result;
+}
+
+/// The number of an earlier segment with the same answer, or the segment's own.
+std::size_t first_alike(const Design& design, const Prediction& earlier, std::size_t segment,
+                        const std::vector<double>& pressures_kpa) {
+  for (std::size_t i = 0; i < segment; ++i) {
+    if (design.segments[i] == design.segments[segment] &&
+        earlier.segments[i].pressures_kpa == pressures_kpa) {
+      return i;
+    }
+  }
+  return segment;
 }
 
 }  // namespace
@@ -62,24 +89,17 @@ std::vector<double> segment_pressures_kpa(const Design& design, std::size_t segm
   return pressures;
 }
 
-SegmentPrediction predict_segment(const Segment& segment, const ModelChoice& model,
-                                  const std::vector<double>& pressures_kpa, Held held,
-                                  bool with_bands) {
-  SegmentPrediction result{pressures_kpa, predict(segment, model, pressures_kpa, held), {}, {}};
-  if (!with_bands) return result;
-  const Material& liner = segment.liner.material;
-  result.softest = predict_scaled(segment, model, pressures_kpa, held, liner.modulus_low_factor);
-  result.stiffest = predict_scaled(segment, model, pressures_kpa, held, liner.modulus_high_factor);
-  return result;
-}
-
 Prediction predict_design(const Design& design, const std::vector<double>& pressures_kpa, Held held,
                           bool with_bands) {
+  PreparedSegments prepared(design.model);
   Prediction prediction;
   for (std::size_t i = 0; i < design.segments.size(); ++i) {
-    prediction.segments.push_back(predict_segment(design.segments[i], design.model,
-                                                  segment_pressures_kpa(design, i, pressures_kpa),
-                                                  held, with_bands));
+    const std::vector<double> pressures = segment_pressures_kpa(design, i, pressures_kpa);
+    const std::size_t alike = first_alike(design, prediction, i, pressures);
+    SegmentPrediction answer =
+        alike < i ? prediction.segments[alike]
+                  : predict_segment(prepared, design.segments[i], pressures, held, with_bands);
+    prediction.segments.push_back(std::move(answer));
   }
   return prediction;
 }

@@ -39,13 +39,8 @@ std::vector<LoadCase> asked_cases(const Design& design, const std::vector<double
 std::vector<double> segment_pressures_kpa(const Design& design, std::size_t segment,
                                           const std::vector<double>& pressures_kpa);
 
-/// Predicts one segment of the design at these pressures. Throws UnsupportedDesign.
-SegmentPrediction predict_segment(const Segment& segment, const ModelChoice& model,
-                                  const std::vector<double>& pressures_kpa, Held held,
-                                  bool with_bands);
-
-/// Predicts every segment at its segment_pressures_kpa. Throws UnsupportedDesign, and
-/// std::invalid_argument when there is no load at all.
+/// Predicts every segment at its segment_pressures_kpa; equal ones are predicted once. Throws
+/// UnsupportedDesign, and std::invalid_argument when there is no load at all.
 Prediction predict_design(const Design& design, const std::vector<double>& pressures_kpa, Held held,
                           bool with_bands);
 

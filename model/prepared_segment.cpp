@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/prepared_segment.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -9,7 +10,6 @@
 #include "model/section/calibration.h"
 #include "model/section/section_reading.h"
 #include "model/section/section_symmetry.h"
-#include "model/strand/links.h"
 
 namespace latticast {
 namespace {
@@ -74,15 +74,37 @@ std::string calibration_doubt(const Segment& segment) {
          " (docs/bonded.md): calibrate = \"state\" says how far it is off";
 }
 
-void calibrate(const Segment& segment, Calibrate what, PreparedSegment& prepared) {
-  if (what == Calibrate::nothing) return;
-  FoundCell found = find_strip_cell(segment);
-  prepared.not_calibrated = found.cell ? calibrate(*found.cell, std::get<Section>(prepared.section))
-                                       : "calibration " + found.reason;
+void calibrate(FoundCell found, const Segment& segment, Calibrate what, PreparedSegment& prepared) {
+  auto& section = std::get<Section>(prepared.section);
+  if (found.cell && found.cell->kind == UnitCellKind::drawn) {
+    adopt_symmetry(found.cell->twists, found.cell->bends, section);
+  }
+  prepared.not_calibrated =
+      found.cell ? calibrate(*found.cell, section) : "the unit cell " + found.reason;
   if (!prepared.not_calibrated.empty()) return;
   prepared.cell = std::move(found.cell);
   prepared.calibrate = what;
   prepared.calibration_doubt = calibration_doubt(segment);
+}
+
+bool has_curved_strands(const Segment& segment) {
+  if (!segment.lattice) return false;
+  const auto& grids = segment.lattice->grids;
+  return std::any_of(grids.begin(), grids.end(),
+                     [](const Grid& grid) { return grid.count() > 0 && is_curved(grid.path); });
+}
+
+/// Of curved strands bonding says nothing by itself: the layered section is what the cell corrects.
+void prepare_curved(const Segment& segment, ModelChoice model, const StrandLaws& known,
+                    PreparedSegment& prepared) {
+  const Calibrate what = model.calibrate;
+  model.wall = WallKind::layered;
+  prepared.section = prepare_section(segment, model, known);
+  calibrate(find_unit_cell(segment), segment, what, prepared);
+  if (prepared.not_calibrated.empty()) return;
+  throw UnsupportedDesign(
+      "kind = \"bonded\" knows curved strands through their unit cell alone, and " +
+      prepared.not_calibrated + "; kind = \"layered\" predicts this segment without one");
 }
 
 }  // namespace
@@ -100,14 +122,28 @@ PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model
     prepared.section = leading_section(segment, model, *prepared.cell, known);
     return prepared;
   }
+  const bool calibrated = model.wall == WallKind::bonded && model.calibrate != Calibrate::nothing;
+  if (calibrated && has_curved_strands(segment)) {
+    prepare_curved(segment, model, known, prepared);
+    return prepared;
+  }
   prepared.section = prepare_section(segment, model, known);
   if (prepared.cell) follow_cell(*prepared.cell, std::get<Section>(prepared.section));
-  if (model.wall == WallKind::bonded) calibrate(segment, model.calibrate, prepared);
+  if (calibrated) calibrate(find_unit_cell(segment), segment, model.calibrate, prepared);
   return prepared;
 }
 
 StrandLaws laws_of(const PreparedSegment& segment) {
   return std::visit([](const auto& section) { return laws_of(section); }, segment.section);
+}
+
+const PreparedSegment& PreparedSegments::prepare(const Segment& segment) {
+  for (const auto& [known, prepared] : segments_) {
+    if (known == segment) return prepared;
+  }
+  PreparedSegment made = prepare_segment(segment, model_, known_laws(laws_, segment));
+  for (const auto& law : laws_of(made)) laws_.emplace(law->shape(), law);
+  return segments_.emplace_back(segment, std::move(made)).second;
 }
 
 }  // namespace latticast

@@ -2,14 +2,17 @@
 // A segment prepared for prediction: everything of its model that does not depend on pressure.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "design/design.h"
 #include "model/effective_rods/rods.h"
 #include "model/law/strand_law.h"
 #include "model/section/section.h"
+#include "model/strand/links.h"
 
 namespace latticast {
 
@@ -35,5 +38,20 @@ PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model
 
 /// The laws that a prepared segment uses.
 StrandLaws laws_of(const PreparedSegment& segment);
+
+/// Segments prepared under one choice of model: one that equals an earlier one is that one again,
+/// and laws of equal shapes are built once. For one thread at a time.
+class PreparedSegments {
+ public:
+  explicit PreparedSegments(const ModelChoice& model) : model_(model) {}
+
+  /// Stays where it is. Throws as prepare_segment does.
+  const PreparedSegment& prepare(const Segment& segment);
+
+ private:
+  ModelChoice model_;
+  std::deque<std::pair<Segment, PreparedSegment>> segments_;
+  LawsByShape laws_;
+};
 
 }  // namespace latticast

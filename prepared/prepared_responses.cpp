@@ -8,30 +8,32 @@
 #include "model/chain.h"
 #include "model/prediction.h"
 #include "model/segment_response.h"
-#include "model/strand/links.h"
 
 namespace latticast {
 namespace {
 
 using SectionKey = std::tuple<std::size_t, ModulusFactors>;
-using ResponseKey = std::tuple<std::size_t, ModulusFactors, std::vector<double>>;
+// By the section, so that equal segments have one response.
+using ResponseKey = std::tuple<const PreparedSegment*, std::vector<double>>;
 
 }  // namespace
 
 struct PreparedResponses::Kept {
-  std::map<SectionKey, PreparedSegment> sections;
+  explicit Kept(const ModelChoice& model) : segments(model) {}
+
+  PreparedSegments segments;
+  std::map<SectionKey, const PreparedSegment*> sections;
   std::map<ResponseKey, Response> responses;
-  LawsByShape laws;
 };
 
 PreparedResponses::PreparedResponses(const Design& design)
-    : design_(design), kept_(std::make_unique<Kept>()) {}
+    : design_(design), kept_(std::make_unique<Kept>(design.model)) {}
 PreparedResponses::~PreparedResponses() = default;
 
 const PreparedSegment& PreparedResponses::section(std::size_t segment, ModulusFactors factors) {
   const SectionKey key{segment, factors};
   const auto found = kept_->sections.find(key);
-  if (found != kept_->sections.end()) return found->second;
+  if (found != kept_->sections.end()) return *found->second;
   Segment scaled_segment = design_.segments[segment];
   if (factors.liner != 1) {
     Law& law = scaled_segment.liner.material.law;
@@ -41,19 +43,19 @@ const PreparedSegment& PreparedResponses::section(std::size_t segment, ModulusFa
     Law& law = scaled_segment.lattice->material.law;
     law = scaled(law, factors.lattice);
   }
-  PreparedSegment made =
-      prepare_segment(scaled_segment, design_.model, known_laws(kept_->laws, scaled_segment));
-  for (const auto& law : laws_of(made)) kept_->laws.emplace(law->shape(), law);
-  return kept_->sections.emplace(key, std::move(made)).first->second;
+  const PreparedSegment& made = kept_->segments.prepare(scaled_segment);
+  kept_->sections.emplace(key, &made);
+  return made;
 }
 
 const Response& PreparedResponses::response(std::size_t segment,
                                             const std::vector<double>& pressures_kpa,
                                             ModulusFactors factors) {
-  const ResponseKey key{segment, factors, pressures_kpa};
+  const PreparedSegment& prepared = section(segment, factors);
+  const ResponseKey key{&prepared, pressures_kpa};
   const auto found = kept_->responses.find(key);
   if (found != kept_->responses.end()) return found->second;
-  Response solved = predict(section(segment, factors), pressures_kpa);
+  Response solved = predict(prepared, pressures_kpa);
   return kept_->responses.emplace(key, std::move(solved)).first->second;
 }
 

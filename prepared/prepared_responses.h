@@ -35,7 +35,7 @@ class PreparedResponses {
 
   const Design& design() const { return design_; }
 
-  /// prepare_segment(); laws of equal shapes are built once for all segments.
+  /// prepare_segment(); equal segments are one, and laws of equal shapes are built once for all.
   const PreparedSegment& section(std::size_t segment, ModulusFactors factors = {});
 
   /// predict() of that section at these pressures, in their order.

@@ -30,6 +30,8 @@ struct Gent {
                               -0.5 * shear_modulus_mpa * limit_jm * std::log1p(-j.value / limit_jm),
                               slope, slope / (left * limit_jm));
   }
+
+  friend bool operator==(const Gent&, const Gent&) = default;
 };
 
 }  // namespace latticast

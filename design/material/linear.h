@@ -27,6 +27,8 @@ struct Linear {
   EnergyDensity energy_density(const InPlaneStretch& at) const {
     return 0.5 * rest_shear_modulus_mpa() * first_invariant_minus_3(at);
   }
+
+  friend bool operator==(const Linear&, const Linear&) = default;
 };
 
 }  // namespace latticast

@@ -21,6 +21,8 @@ struct Material {
   std::optional<double> modulus_high_factor;
   std::string source;  ///< where the constants come from
   std::string note;    ///< what a user should know before relying on them
+
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 }  // namespace latticast

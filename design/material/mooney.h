@@ -39,6 +39,8 @@ struct Mooney {
   EnergyDensity energy_density(const InPlaneStretch& at) const {
     return c10_mpa * first_invariant_minus_3(at) + c01_mpa * second_invariant_minus_3(at);
   }
+
+  friend bool operator==(const Mooney&, const Mooney&) = default;
 };
 
 }  // namespace latticast

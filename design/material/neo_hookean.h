@@ -22,6 +22,8 @@ struct NeoHookean {
   EnergyDensity energy_density(const InPlaneStretch& at) const {
     return 0.5 * shear_modulus_mpa * first_invariant_minus_3(at);
   }
+
+  friend bool operator==(const NeoHookean&, const NeoHookean&) = default;
 };
 
 }  // namespace latticast

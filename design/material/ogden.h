@@ -94,6 +94,8 @@ struct Ogden {
   double first_invariant_limit() const { return std::numeric_limits<double>::infinity(); }
   EnergyDensity energy_density(const InPlaneStretch& at) const;
   std::string_view fault() const;
+
+  friend bool operator==(const Ogden&, const Ogden&) = default;
 };
 
 inline double Ogden::rest_shear_modulus_mpa() const {

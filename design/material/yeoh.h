@@ -28,6 +28,8 @@ struct Yeoh {
                               c1_mpa + j.value * (2 * c2_mpa + 3 * j.value * c3_mpa),
                               2 * c2_mpa + 6 * j.value * c3_mpa);
   }
+
+  friend bool operator==(const Yeoh&, const Yeoh&) = default;
 };
 
 }  // namespace latticast

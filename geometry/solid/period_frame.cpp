@@ -7,7 +7,7 @@
 namespace latticast {
 namespace {
 
-constexpr double rounding_mm = 1e-7;
+constexpr double side_rounding_mm = 1e-7;
 
 /// Sorted; of places nearer to each other than `same` the first stays, both ends wholly.
 std::vector<double> merged(std::vector<double> places, double low, double high, double same) {
@@ -60,7 +60,7 @@ std::vector<PlanePoint> PeriodFrame::division(PeriodSide side) const {
   if (side == PeriodSide::top && period_.mirrored) places = tops_;
   if (side == PeriodSide::top && !period_.mirrored) {
     for (double& u : places) u = at_top(u);
-    places = merged(std::move(places), 0, box_.width_mm, rounding_mm);
+    places = merged(std::move(places), 0, box_.width_mm, side_rounding_mm);
   }
   std::vector<PlanePoint> points;
   points.reserve(places.size());
@@ -77,21 +77,21 @@ bool PeriodFrame::add(const std::vector<PlanePoint>& points) {
     if (period_.mirrored) tops_.push_back(p.u);
     if (!period_.mirrored) ends_.push_back(at_bottom(p.u));
   }
-  sides_ = merged(std::move(sides_), box_.z_from_mm, box_.z_to_mm, rounding_mm);
-  ends_ = merged(std::move(ends_), 0, box_.width_mm, rounding_mm);
-  tops_ = merged(std::move(tops_), 0, box_.width_mm, rounding_mm);
+  sides_ = merged(std::move(sides_), box_.z_from_mm, box_.z_to_mm, side_rounding_mm);
+  ends_ = merged(std::move(ends_), 0, box_.width_mm, side_rounding_mm);
+  tops_ = merged(std::move(tops_), 0, box_.width_mm, side_rounding_mm);
   return sides_.size() + ends_.size() + tops_.size() > before;
 }
 
 bool PeriodFrame::is_on(PeriodSide side, PlanePoint point) const {
   const bool upright = side == PeriodSide::left || side == PeriodSide::right;
-  return distance(point, place(side, upright ? point.z : point.u)) < rounding_mm;
+  return distance(point, place(side, upright ? point.z : point.u)) < side_rounding_mm;
 }
 
 double PeriodFrame::around(double u_mm) const {
   const double u = std::fmod(u_mm, box_.width_mm);
-  const double inside = u < -rounding_mm ? u + box_.width_mm : std::max(u, 0.0);
-  return box_.width_mm - inside < rounding_mm ? 0 : inside;
+  const double inside = u < -side_rounding_mm ? u + box_.width_mm : std::max(u, 0.0);
+  return box_.width_mm - inside < side_rounding_mm ? 0 : inside;
 }
 
 double PeriodFrame::at_bottom(double u_of_top_mm) const {

@@ -29,7 +29,7 @@ constexpr Level coarse_level = {2, pi / 6, {.liner = 1, .lattice = 1, .grading =
 constexpr Level fine_level = {1, pi / 6, {.liner = 2, .lattice = 1, .grading = 3}};
 
 // The fine mesh's error over the difference of both, docs/unit-cell.md#any-lattice.
-constexpr double extrapolation = 0.4;
+constexpr double extrapolation_of_wedges = 0.4;
 
 constexpr double flatness_mm = 1e-3;  // of chords, which the mesh takes together again
 constexpr double closing_by_width = 0.02;
@@ -95,7 +95,7 @@ FoundCell cell_of(const Segment& segment, const LatticePeriod& found) {
   const PeriodPlane plane = plane_of(found);
   UnitCell cell{.coarse = mesh_of(segment, found, plane, coarse_level),
                 .fine = mesh_of(segment, found, plane, fine_level),
-                .extrapolation = extrapolation,
+                .extrapolation = extrapolation_of_wedges,
                 .kind = UnitCellKind::drawn,
                 .twists = !found.mirrored && !is_mirrored_around(segment),
                 .bends = found.repeats == 1,

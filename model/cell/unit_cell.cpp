@@ -16,28 +16,23 @@ constexpr StripDivision fine_division = {
     .strip = 1, .gap = 3, .ring = 1, .span = 2, .liner = 3, .lattice = 1, .grading = 1.6};
 
 // The fine mesh's error over the difference of both, docs/unit-cell.md#extrapolation.
-constexpr double extrapolation = 0.75;
+constexpr double extrapolation_of_strips = 0.75;
 // Of the difference between both meshes, by its extrapolation.
 constexpr double doubtful_share = 1.0 / 3;
 
 }  // namespace
 
-FoundCell find_strip_cell(const Segment& segment) {
-  FoundStrips found = find_strips(segment);
-  if (!found.tube) return {nullptr, std::move(found.reason)};
-  return {
-      std::make_shared<const UnitCell>(UnitCell{.coarse = strip_cell(*found.tube, coarse_division),
-                                                .fine = strip_cell(*found.tube, fine_division),
-                                                .extrapolation = extrapolation,
-                                                .assumed = {}}),
-      {}};
-}
-
 FoundCell find_unit_cell(const Segment& segment) {
   std::string problem = parts_problem(segment);
   if (!problem.empty()) return {nullptr, std::move(problem)};
-  FoundCell strips = find_strip_cell(segment);
-  return strips.cell ? strips : find_drawn_cell(segment);
+  const FoundStrips found = find_strips(segment);
+  if (!found.tube) return find_drawn_cell(segment);
+  return {
+      std::make_shared<const UnitCell>(UnitCell{.coarse = strip_cell(*found.tube, coarse_division),
+                                                .fine = strip_cell(*found.tube, fine_division),
+                                                .extrapolation = extrapolation_of_strips,
+                                                .assumed = {}}),
+      {}};
 }
 
 UnitCellEnergy::UnitCellEnergy(const UnitCell& cell)

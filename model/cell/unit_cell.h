@@ -39,9 +39,6 @@ struct FoundCell {
 /// cell of its own; any other lattice that repeats along the tube has the cell that is drawn.
 FoundCell find_unit_cell(const Segment& segment);
 
-/// Only the cell of strips, whose natural strains calibration works with.
-FoundCell find_strip_cell(const Segment& segment);
-
 /// Extrapolated to elements of no size, and a quarter of what that changed: what errors are
 /// measured by.
 struct ExtrapolatedEnergy {

@@ -269,13 +269,19 @@ template <bool bent, class Number>
                        });
   }
   sum += pads * (2 * pi * section.liner_outer_radius_mm * section.shear_modulus_mpa);
-  if (section.calibration) {
-    const AtRadius<bent, Number> middle(q, section.calibration->radius_mm);
-    sum += of_wall(q, middle, q.elongation, [&](const WallStrains& wall) {
-      return calibration_energy(*section.calibration, wall);
-    });
-  }
   return sum;
+}
+
+/// What a unit cell has set.
+template <bool bent, class Number>
+Number calibrated_energy(const Calibration& calibration, const Kinematics<Number>& q) {
+  const AtRadius<bent, Number> middle(q, calibration.radius_mm);
+  std::array<Number, most_natural_strains> strains = {middle.hoop_strain, q.elongation, q.twist,
+                                                      Number(0), Number(0)};
+  if constexpr (bent) std::copy(middle.lift.begin(), middle.lift.end(), strains.begin() + 3);
+  MiddleStrains values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = strains[i].value;
+  return chain(strains, calibration_energy(calibration, values));
 }
 
 /// Visits the places of a family of curved strands: law, direction, and how many strands are there.
@@ -375,7 +381,8 @@ template <bool bent, std::size_t N>
   if (!links) return std::nullopt;
   const Dual<N> lattice = section.bond ? bonded_energy<bent>(section, *section.bond, quadrature, q)
                                        : lattice_energy<bent>(section, quadrature, q);
-  const Dual<N> sum = liner_energy<bent>(section, quadrature, q) + lattice + *links;
+  Dual<N> sum = liner_energy<bent>(section, quadrature, q) + lattice + *links;
+  if (section.calibration) sum += calibrated_energy<bent>(*section.calibration, q);
   SectionEnergy energy(sum.value);
   for (std::size_t i = 0; i < N; ++i) {
     energy.gradient[active[i]] = sum.gradient[i];

@@ -89,9 +89,10 @@ bool is_bonded(const ModelChoice& model) {
 
 void refuse_in_bonded(const Grid& grid, std::size_t index) {
   if (!is_curved(grid.path)) return;
-  throw UnsupportedDesign(grid_name(index) + " has " + std::string(describe(grid.path).name) +
-                          " strands, and kind = \"bonded\" knows straight ones only; use kind = "
-                          "\"layered\"");
+  throw UnsupportedDesign(
+      grid_name(index) + " has " + std::string(describe(grid.path).name) +
+      " strands, which kind = \"bonded\" knows by calibration alone; use kind = "
+      "\"layered\"");
 }
 
 StrandFamily strand_family(const Layer& layer, std::size_t index) {

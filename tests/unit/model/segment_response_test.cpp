@@ -74,5 +74,18 @@ TEST(Response, StateRepeatsItsDeformation) {
   EXPECT_NEAR(area * state.stretch, 18 * 18 - 12 * 12, 1e-10);
 }
 
+TEST(PreparedSegments, PrepareEqualSegmentsOnce) {
+  PreparedSegments segments({});
+  const Segment one = paper_segment({36});
+  const PreparedSegment& first = segments.prepare(one);
+  Segment other = one;
+  other.lattice->grids[0].widths_mm[3] = 2.5;
+  EXPECT_NE(&segments.prepare(other), &first);
+  Segment longer = one;
+  longer.length_mm = 90;
+  EXPECT_EQ(segments.prepare(longer).length_mm, 90);
+  EXPECT_EQ(&segments.prepare(paper_segment({36})), &first);
+}
+
 }  // namespace
 }  // namespace latticast::testing

@@ -20,31 +20,10 @@
 #include "tests/golden/fe_cell_rows.h"
 #include "tests/random_numbers.h"
 #include "tests/unit/model/cell/derivatives.h"
-#include "tests/unit/model/segments.h"
+#include "tests/unit/model/cell/waves.h"
 
 namespace latticast::testing {
 namespace {
-
-constexpr double wave_mm = 85.0 / 8;
-
-ModelChoice unit_cell() {
-  ModelChoice model;
-  model.wall = WallKind::unit_cell;
-  return model;
-}
-
-/// Horseshoe columns of these widths, a ring each wave at this phase of it.
-Segment waves(const std::vector<double>& widths, double phase) {
-  Segment segment = columns(widths);
-  segment.lattice->material.law = Linear{19.46, 0.49};
-  segment.lattice->rings =
-      Rings{.count = std::nullopt, .pitch_mm = wave_mm, .width_mm = 2, .phase = phase};
-  return segment;
-}
-
-Segment elongating(double phase) {
-  return waves(std::vector<double>(16, 2.0), phase);
-}
 
 /// A period's plane, from the whole circumference or one of 16 columns.
 PeriodMesh plane_of(const Segment& segment, int sectors, double size_mm) {
