@@ -116,6 +116,8 @@ struct ModelChoice {
   Calibrate calibrate = Calibrate::stiffness;  ///< only where wall is bonded
   ColumnModel columns = ColumnModel::distributed;
   JointModel joint = JointModel::clear_span;
+  double cell_error_percent = 0;  ///< that a unit cell's response at rest may be off by; 0: what
+                                  ///< its coarsest meshes give
 };
 
 /// Cast in a grooved mold, or in a flexible mold made around a printed pattern.

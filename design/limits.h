@@ -18,6 +18,7 @@ inline constexpr int nesting = 32;  ///< of tables and lists, and parts of a dot
 inline constexpr Range length{1e-3, 1e5, "mm"};
 inline constexpr Range grid_angle{0, 180, "degrees", RangeEnds::neither};
 inline constexpr Range ring_phase{0, 1, "", RangeEnds::low};  ///< of the pitch
+inline constexpr Range cell_error{0.05, 50, "%"};
 inline constexpr Range horseshoe_arc{20, 300, "degrees"};
 inline constexpr Range waves{0.5, 5000};  ///< on one strand, two links each
 inline constexpr Range pressure{-1e5, 1e5, "kPa"};

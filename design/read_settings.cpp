@@ -232,6 +232,18 @@ Calibrate read_calibrate(const Field& field, WallKind wall) {
   return field.flag_or(true) ? Calibrate::stiffness : Calibrate::nothing;
 }
 
+double read_cell_error(const Field& field, WallKind wall) {
+  if (field.present() && wall != WallKind::bonded && wall != WallKind::unit_cell) {
+    field.refuse("cell is for kind = \"unit-cell\" and \"bonded\", which use a unit cell",
+                 "leave it out, or use kind = \"unit-cell\"");
+    return 0;
+  }
+  TableReader table = field.as_table("write cell = { error = 3 }");
+  const double error = table.may("error").number_or(0, limits::cell_error);
+  table.refuse_unknown_keys();
+  return error;
+}
+
 }  // namespace
 
 ModelChoice read_model(const Field& field) {
@@ -256,6 +268,7 @@ ModelChoice read_model(const Field& field) {
                          "use kind = \"layered\", or columns = \"distributed\"");
   }
   model.joint = table.may("joint").word_or(model.joint, joints);
+  model.cell_error_percent = read_cell_error(table.may("cell"), model.wall);
   table.refuse_unknown_keys();
   return model;
 }

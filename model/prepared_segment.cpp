@@ -14,8 +14,8 @@
 namespace latticast {
 namespace {
 
-std::shared_ptr<const UnitCell> needed_cell(const Segment& segment) {
-  FoundCell found = find_unit_cell(segment);
+std::shared_ptr<const UnitCell> needed_cell(const Segment& segment, const ModelChoice& model) {
+  FoundCell found = find_unit_cell(segment, model.cell_error_percent);
   if (found.cell) return found.cell;
   throw UnsupportedDesign("the unit cell " + found.reason +
                           "; kind = \"layered\" predicts this segment without one");
@@ -100,7 +100,7 @@ void prepare_curved(const Segment& segment, ModelChoice model, const StrandLaws&
   const Calibrate what = model.calibrate;
   model.wall = WallKind::layered;
   prepared.section = prepare_section(segment, model, known);
-  calibrate(find_unit_cell(segment), segment, what, prepared);
+  calibrate(find_unit_cell(segment, model.cell_error_percent), segment, what, prepared);
   if (prepared.not_calibrated.empty()) return;
   throw UnsupportedDesign(
       "kind = \"bonded\" knows curved strands through their unit cell alone, and " +
@@ -117,7 +117,7 @@ PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model
     prepared.section = prepare_rods(segment, known);
     return prepared;
   }
-  if (model.wall == WallKind::unit_cell) prepared.cell = needed_cell(segment);
+  if (model.wall == WallKind::unit_cell) prepared.cell = needed_cell(segment, model);
   if (prepared.cell && prepared.cell->kind == UnitCellKind::drawn) {
     prepared.section = leading_section(segment, model, *prepared.cell, known);
     return prepared;
@@ -129,7 +129,9 @@ PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model
   }
   prepared.section = prepare_section(segment, model, known);
   if (prepared.cell) follow_cell(*prepared.cell, std::get<Section>(prepared.section));
-  if (calibrated) calibrate(find_unit_cell(segment), segment, model.calibrate, prepared);
+  if (calibrated)
+    calibrate(find_unit_cell(segment, model.cell_error_percent), segment, model.calibrate,
+              prepared);
   return prepared;
 }
 

@@ -19,17 +19,21 @@
 namespace latticast {
 namespace {
 
-/// A mesh of the cell; sizes are in units of finest().
-struct Level {
+/// A mesh of the cell; sizes are in units of element_size_mm().
+struct Mesh {
   double size = 1;
   double most_turn_rad = 0;
   SweptDivision through;
 };
-constexpr Level coarse_level = {2, pi / 6, {.liner = 1, .lattice = 1, .grading = 1}};
-constexpr Level fine_level = {1, pi / 6, {.liner = 2, .lattice = 1, .grading = 3}};
+constexpr std::array<Mesh, drawn_levels + 1> meshes = {{
+    {2, pi / 6, {.liner = 1, .lattice = 1, .grading = 1}},
+    {1, pi / 6, {.liner = 2, .lattice = 1, .grading = 3}},
+    {0.5, pi / 6, {.liner = 4, .lattice = 1, .grading = 3}},
+    {0.25, pi / 12, {.liner = 6, .lattice = 2, .grading = 3}},
+}};
 
-// The fine mesh's error over the difference of both, docs/unit-cell.md#any-lattice.
-constexpr double extrapolation_of_wedges = 0.4;
+// The finer mesh's error over the difference of both, docs/unit-cell.md#any-lattice.
+constexpr std::array<double, drawn_levels> extrapolation_of_wedges = {0.4, 0.6, 0.6};
 
 constexpr double flatness_mm = 1e-3;  // of chords, which the mesh takes together again
 constexpr double closing_by_width = 0.02;
@@ -71,10 +75,10 @@ PeriodPlane plane_of(const LatticePeriod& found) {
 }
 
 CellMesh mesh_of(const Segment& segment, const LatticePeriod& found, const PeriodPlane& plane,
-                 const Level& level) {
-  const PeriodDivision division{level.size * element_size_mm(segment), level.most_turn_rad};
+                 const Mesh& mesh) {
+  const PeriodDivision division{mesh.size * element_size_mm(segment), mesh.most_turn_rad};
   return swept_cell(segment, triangulate_period(plane.region, plane.period, division),
-                    {found.repeats, found.mirrored}, level.through);
+                    {found.repeats, found.mirrored}, mesh.through);
 }
 
 /// Straight families of opposite angles meet at u = 0: a plane through the axis there mirrors them.
@@ -91,11 +95,11 @@ bool is_mirrored_around(const Segment& segment) {
   });
 }
 
-FoundCell cell_of(const Segment& segment, const LatticePeriod& found) {
+FoundCell cell_of(const Segment& segment, const LatticePeriod& found, std::size_t level) {
   const PeriodPlane plane = plane_of(found);
-  UnitCell cell{.coarse = mesh_of(segment, found, plane, coarse_level),
-                .fine = mesh_of(segment, found, plane, fine_level),
-                .extrapolation = extrapolation_of_wedges,
+  UnitCell cell{.coarse = mesh_of(segment, found, plane, meshes[level]),
+                .fine = mesh_of(segment, found, plane, meshes[level + 1]),
+                .extrapolation = extrapolation_of_wedges[level],
                 .kind = UnitCellKind::drawn,
                 .twists = !found.mirrored && !is_mirrored_around(segment),
                 .bends = found.repeats == 1,
@@ -110,11 +114,11 @@ FoundCell cell_of(const Segment& segment, const LatticePeriod& found) {
 
 }  // namespace
 
-FoundCell find_drawn_cell(const Segment& segment) {
+FoundCell find_drawn_cell(const Segment& segment, int level) {
   const FoundPeriod found = find_period(segment);
   if (!found.period) return {nullptr, found.reason};
   try {
-    return cell_of(segment, *found.period);
+    return cell_of(segment, *found.period, static_cast<std::size_t>(level));
   } catch (const CannotDraw& problem) {
     return {nullptr, std::string("cannot be drawn: ") + problem.what()};
   } catch (const GeometryError& problem) {

@@ -8,8 +8,11 @@
 
 namespace latticast {
 
+/// Meshes of a cell, each of half the element size of the one before.
+inline constexpr int drawn_levels = 3;
+
 /// Precondition: liner and lattice are materials that a cell knows, and the lattice has strands. In
 /// builds without geometry there is none.
-FoundCell find_drawn_cell(const Segment& segment);
+FoundCell find_drawn_cell(const Segment& segment, int level = 0);
 
 }  // namespace latticast

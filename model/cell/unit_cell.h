@@ -36,8 +36,14 @@ struct FoundCell {
 };
 
 /// One even family of straight strips that leave gaps, with or without evenly pitched rings, has a
-/// cell of its own; any other lattice that repeats along the tube has the cell that is drawn.
-FoundCell find_unit_cell(const Segment& segment);
+/// cell of its own; any other lattice that repeats along the tube has the cell that is drawn. Its
+/// meshes are refined until rest_error_percent() is at most `error_percent`; 0 asks for none.
+FoundCell find_unit_cell(const Segment& segment, double error_percent = 0);
+
+/// How far the response to pressure at rest is estimated to be off: the largest share of stretch,
+/// bore, twist or bending, of those that are not small beside the others. Infinite where the cell
+/// cannot be solved there.
+double rest_error_percent(const UnitCell& cell);
 
 /// Extrapolated to elements of no size, and a quarter of what that changed: what errors are
 /// measured by.

@@ -270,6 +270,22 @@ TEST(DrawnCell, OfOppositeFamiliesDoesNotTwist) {
   EXPECT_LT(state.stretch, predict(pair, {}, pressures).states.front().value().stretch);
 }
 
+TEST(DrawnCell, IsRefinedAsFarAsItsErrorAsks) {
+  const Segment segment = elongating(0.25);
+  const FoundCell finer = find_unit_cell(segment, 0.4);
+  ASSERT_TRUE(finer.cell) << finer.reason;
+  EXPECT_LE(rest_error_percent(*finer.cell), 0.4);
+  const double error = 0.01 * rest_error_percent(*find_unit_cell(segment).cell);
+  ModelChoice asked = unit_cell();
+  asked.cell_error_percent = 0.4;
+  const std::vector<double> pressures = {0.1};
+  const State usual = predict(segment, unit_cell(), pressures).states.front().value();
+  const State better = predict(segment, asked, pressures).states.front().value();
+  EXPECT_NE(usual.stretch, better.stretch);
+  EXPECT_NEAR(usual.stretch - 1, better.stretch - 1, error * (better.stretch - 1));
+  EXPECT_NEAR(usual.inner_radius_mm, better.inner_radius_mm, error * (better.inner_radius_mm - 12));
+}
+
 TEST(DrawnCell, IsRefusedByName) {
   const auto refusal = [](const Segment& segment) { return find_unit_cell(segment).reason; };
   EXPECT_NE(refusal(tube(12, 16, NeoHookean{0.08})).find("there is none"), std::string::npos);

@@ -284,5 +284,42 @@ TEST_P(UnderSuction, HoldsWellOrSaysWhyNot) {
 INSTANTIATE_TEST_SUITE_P(UnitCell, UnderSuction,
                          ::testing::Values(ThinTube{90, 1}, ThinTube{90, 1e6}, ThinTube{20, 1}));
 
+TEST(UnitCell, IsRefinedAsFarAsItsErrorAsks) {
+  const Segment segment = twisting_segment(36);
+  const FoundCell usual = find_unit_cell(segment);
+  const double first = rest_error_percent(*usual.cell);
+  EXPECT_EQ(find_unit_cell(segment, 1.01 * first).cell->fine.unknowns, usual.cell->fine.unknowns);
+  const FoundCell finer = find_unit_cell(segment, 0.99 * first);
+  ASSERT_TRUE(finer.cell) << finer.reason;
+  EXPECT_GT(finer.cell->fine.unknowns, 2 * usual.cell->fine.unknowns);
+  const double second = rest_error_percent(*finer.cell);
+  EXPECT_LT(second, first);
+  const FoundCell none = find_unit_cell(segment, 0.05);
+  EXPECT_FALSE(none.cell);
+  EXPECT_NE(none.reason.find("within"), std::string::npos) << none.reason;
+}
+
+TEST(UnitCell, IsAsNearToItsLimitAsItsErrorSays) {
+  // d(lambda, k R_o, a/R_i)/dP at rest, 1/MPa, of meshes up to 28 834 unknowns and their order
+  // (docs/unit-cell.md#extrapolation).
+  struct Limit {
+    double angle_deg;
+    std::array<double, 3> response;
+  };
+  for (const Limit& limit :
+       {Limit{36, {3.798, -4.151, 4.280}}, Limit{60, {2.501, -4.475, 4.275}}}) {
+    const Segment segment = twisting_segment(limit.angle_deg);
+    const double error = 0.01 * rest_error_percent(*find_unit_cell(segment).cell);
+    const std::vector<double> pressures = {0.01};
+    const State state = predict(segment, unit_cell(), pressures).states.front().value();
+    const std::array<double, 3> found = {(state.stretch - 1) / 1e-5,
+                                         18 * state.twist_rad_per_mm / 1e-5,
+                                         (state.inner_radius_mm / 12 - 1) / 1e-5};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_NEAR(found[i], limit.response[i], error * std::abs(limit.response[i])) << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace latticast::testing
