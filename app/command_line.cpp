@@ -30,6 +30,8 @@ void describe_predict(CLI::App& app, CommandLine& typed) {
       ->check(CLI::IsMember({"twist", "bend", "stretch", "tip"}));
   predict->add_option("--shape", typed.shape, "of the whole chain, a load case after the other")
       ->check(CLI::IsMember({"tip", "centre-line"}));
+  predict->add_flag("--kinds", typed.kinds,
+                    "layered and calibrated section and unit cell side by side, with their times");
 }
 
 void describe_new(CLI::App& app, CommandLine& typed, const std::string& kinds) {

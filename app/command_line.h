@@ -24,6 +24,7 @@ struct CommandLine {
   std::string pressure;
   std::string format = "table";
   std::vector<std::string> hold;
+  bool kinds = false;
   std::string shape;
   std::vector<std::string> mesh_files;
   std::vector<std::string> checked_files;

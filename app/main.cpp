@@ -67,7 +67,7 @@ ExitStatus run_command(const CommandLine& typed, const Console& console) {
   if (typed.command == "predict") {
 #if LATTICAST_HAS_PREDICT
     return run_predict({typed.design, materials_path(typed), typed.pressure, typed.format,
-                        typed.hold, typed.shape},
+                        typed.hold, typed.shape, typed.kinds},
                        console);
 #else
     return left_out(console, "predict", "LATTICAST_PREDICT", "SUNDIALS");

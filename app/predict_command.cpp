@@ -8,6 +8,7 @@
 
 #include "app/chain_output.h"
 #include "app/design_input.h"
+#include "app/kind_comparison.h"
 #include "app/prediction_output.h"
 #include "app/pressure_list.h"
 #include "app/tip_force_output.h"
@@ -35,28 +36,39 @@ void add_messages(const Response& response, std::size_t segment, const Console& 
   response.status == Status::ok ? console.note(line) : console.error(line);
 }
 
-// Measured against three-dimensional calculations: docs/model.md#what-it-leaves-out and
-// docs/bonded.md#accuracy. Empty where none is worth a note.
-std::string_view known_bias(const ModelChoice& model) {
+// Measured against three-dimensional calculations: docs/model.md#what-it-leaves-out,
+// docs/bonded.md#accuracy and docs/unit-cell.md#any-lattice. Empty where none is worth a note.
+std::string_view known_bias(const ModelChoice& model, bool has_columns) {
   if (model.wall == WallKind::unit_cell) return {};
   if (model.wall != WallKind::bonded) {
-    return "known bias: against a 3-D finite-element cell (36 degrees, 8 strips), stretch - 1 "
-           "comes "
-           "out 18-28 % and twist 7-20 % too high with joint = \"clear-span\" (docs/model.md); "
-           "kind "
-           "= \"bonded\" corrects it for straight strips";
+    return has_columns
+               ? "known bias: against 3-D finite-element cells of columns, stretch - 1 comes out "
+                 "39-127 % too high, depending on where rings sit on the waves, and bending 15-51 "
+                 "% "
+                 "(docs/unit-cell.md); kind = \"bonded\" corrects it"
+               : "known bias: against a 3-D finite-element cell (36 degrees, 8 strips), stretch - "
+                 "1 "
+                 "comes out 18-28 % and twist 7-20 % too high with joint = \"clear-span\" "
+                 "(docs/model.md); kind = \"bonded\" corrects it";
   }
   if (model.calibrate != Calibrate::nothing) return {};
   return "known bias: against finite-element cells with rings 6 to 10 mm apart, stretch - 1 comes "
-         "out "
-         "up to 16 % and twist up to 19 % off (docs/bonded.md); calibrate = true corrects it";
+         "out up to 16 % and twist up to 19 % off (docs/bonded.md); calibrate = true corrects it";
+}
+
+bool has_columns(const Segment& segment) {
+  if (!segment.lattice) return false;
+  const auto& grids = segment.lattice->grids;
+  return std::any_of(grids.begin(), grids.end(),
+                     [](const Grid& grid) { return grid.count() > 0 && is_curved(grid.path); });
 }
 
 void note_known_bias(const Design& design, const Console& console) {
   const bool reinforced =
       std::any_of(design.segments.begin(), design.segments.end(),
                   [](const Segment& segment) { return segment.lattice.has_value(); });
-  const std::string_view bias = known_bias(design.model);
+  const std::string_view bias = known_bias(
+      design.model, std::any_of(design.segments.begin(), design.segments.end(), has_columns));
   if (reinforced && !bias.empty()) console.note(bias);
 }
 
@@ -106,6 +118,17 @@ ExitStatus predict_blocked_tip(const Design& design, const PredictArguments& arg
   return ExitStatus::no_equilibrium;
 }
 
+ExitStatus predict_by_kinds(const Design& design, const PredictArguments& arguments,
+                            const std::vector<double>& pressures, const Console& console) {
+  const KindComparison comparison =
+      compare_kinds(design, pressures, held_coordinates(arguments.hold));
+  console.data(rows_as(arguments.format, comparison.numbers));
+  for (const std::string& note : comparison.notes) console.note(note);
+  if (comparison.complete) return ExitStatus::done;
+  console.error("some pressures have no row: not every kind has a state there");
+  return ExitStatus::no_equilibrium;
+}
+
 bool holds_tip(const PredictArguments& arguments) {
   const std::vector<std::string>& held = arguments.hold;
   const bool tip = std::find(held.begin(), held.end(), "tip") != held.end();
@@ -113,6 +136,10 @@ bool holds_tip(const PredictArguments& arguments) {
     throw std::invalid_argument(
         "--hold tip keeps the tip's place, the other words a coordinate of every section: ask for "
         "one after the other");
+  }
+  if (arguments.kinds && (tip || !arguments.shape.empty())) {
+    throw std::invalid_argument(
+        "--kinds compares the responses of segments: leave --shape and --hold tip out");
   }
   if (!held.empty() && !arguments.shape.empty()) {
     throw std::invalid_argument("--shape shows free actuators: leave --hold out");
@@ -132,6 +159,7 @@ ExitStatus run_predict(const PredictArguments& arguments, const Console& console
   if (!design) return ExitStatus::invalid;
   if (blocked_tip) return predict_blocked_tip(*design, arguments, pressures, console);
   if (!arguments.shape.empty()) return predict_shapes(*design, arguments, pressures, console);
+  if (arguments.kinds) return predict_by_kinds(*design, arguments, pressures, console);
   return predict_responses(*design, arguments, pressures, console);
 }
 

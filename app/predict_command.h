@@ -19,6 +19,7 @@ struct PredictArguments {
   std::string format = "table";   ///< table, csv or json
   std::vector<std::string> hold;  ///< twist, bend, stretch; or tip alone
   std::string shape;              ///< tip or centre-line; empty: the segments' responses
+  bool kinds = false;             ///< all kinds of the model side by side
 };
 
 /// latticast predict: the response of every segment. Throws FileError, UnsupportedDesign,

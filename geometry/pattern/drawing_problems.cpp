@@ -33,11 +33,16 @@ class Family {
         path_(describe(grid_.path)),
         key_(fmt::format("lattice.grid[{}].{}", number, path_.name)) {}
 
-  std::vector<std::string> run() {
+  std::vector<std::string> own() {
     if (const auto problem = closing_problem(strand_)) lines_.push_back(key_ + ": " + *problem);
     strand_ = closed(strand_);
-    distance_ = centre_distance_mm(strand_, circumference_ / grid_.count());
     for (int i = 0; i < grid_.count(); ++i) add_strand(i);
+    return std::move(lines_);
+  }
+
+  std::vector<std::string> with_neighbours() {
+    strand_ = closed(strand_);
+    distance_ = centre_distance_mm(strand_, circumference_ / grid_.count());
     for (int i = 0; i < grid_.count(); ++i) add_neighbours(i);
     return std::move(lines_);
   }
@@ -81,17 +86,33 @@ class Family {
   std::vector<std::string> lines_;
 };
 
-}  // namespace
-
-std::vector<std::string> drawing_problems(const Segment& segment) {
+/// What `ask` gives of each family of curved strands.
+template <class Ask>
+std::vector<std::string> of_curved(const Segment& segment, Ask&& ask) {
   std::vector<std::string> problems;
   if (!segment.lattice) return problems;
   for (std::size_t i = 0; i < segment.lattice->grids.size(); ++i) {
     if (!is_curved(segment.lattice->grids[i].path)) continue;
-    const std::vector<std::string> lines = Family(segment, i).run();
+    const std::vector<std::string> lines = ask(i);
     problems.insert(problems.end(), lines.begin(), lines.end());
   }
   return problems;
+}
+
+}  // namespace
+
+std::vector<std::string> drawing_problems(const Segment& segment, Neighbours neighbours) {
+  return of_curved(segment, [&](std::size_t i) {
+    std::vector<std::string> lines = Family(segment, i).own();
+    if (neighbours == Neighbours::may_overlap) return lines;
+    const std::vector<std::string> more = Family(segment, i).with_neighbours();
+    lines.insert(lines.end(), more.begin(), more.end());
+    return lines;
+  });
+}
+
+std::vector<std::string> overlapping_neighbours(const Segment& segment) {
+  return of_curved(segment, [&](std::size_t i) { return Family(segment, i).with_neighbours(); });
 }
 
 void require_drawable(std::span<const Segment> segments) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "design/design.h"
+#include "geometry/pattern/pattern.h"
 
 namespace latticast {
 
@@ -19,7 +20,11 @@ namespace latticast {
 ///   into the next (one-sided, above 180 degrees), or into a neighbouring column;
 /// - hold together: bulge past an end of the segment so far that the level cut parts a strand.
 /// Strands of equal widths are named once. Precondition: a validated segment.
-std::vector<std::string> drawing_problems(const Segment& segment);
+std::vector<std::string> drawing_problems(const Segment& segment,
+                                          Neighbours neighbours = Neighbours::apart);
+
+/// Those of them that only keep neighbouring columns from being apart.
+std::vector<std::string> overlapping_neighbours(const Segment& segment);
 
 /// Throws CannotDraw with the problems of all segments, if there are any.
 void require_drawable(std::span<const Segment> segments);

@@ -10,8 +10,11 @@
 
 #include "design/units.h"
 #include "geometry/pattern/cannot_draw.h"
+#include "geometry/pattern/drawing_problems.h"
+#include "geometry/pattern/pattern.h"
+#include "geometry/solid/fillet.h"
 #include "geometry/solid/geometry_error.h"
-#include "geometry/solid/lattice_drawing.h"
+#include "geometry/solid/region.h"
 #include "geometry/solid/tolerance_budget.h"
 #include "model/cell/lattice_period.h"
 #include "model/cell/swept_cell.h"
@@ -68,9 +71,11 @@ PeriodPlane plane_of(const LatticePeriod& found) {
     return static_cast<std::int32_t>(std::lround(z_mm / grid.z_step_mm));
   };
   const std::array<std::int32_t, 2> cuts = {steps(found.from_mm), steps(found.to_mm)};
-  LatticeDrawing drawing(drawn);
+  Pattern pattern = draw_lattice(drawn, flatness_mm, Neighbours::may_overlap);
+  const double fillet_mm = drawn.lattice->fillet_mm;
+  if (fillet_mm > 0) pattern = with_fillets(pattern, fillet_mm, flatness_mm);
   const double closing = closing_by_width * thinnest_strand_mm(*drawn.lattice);
-  return {drawing.united(flatness_mm, grid, cuts, closing),
+  return {unite(std::move(pattern), grid, cuts, closing),
           {turns, cuts[0], cuts[1], found.shift_mm, found.mirrored}};
 }
 
@@ -95,6 +100,15 @@ bool is_mirrored_around(const Segment& segment) {
   });
 }
 
+/// Columns that overlap are one net; the first of them says by how much.
+std::string with_net(std::string assumed, const Segment& segment) {
+  const std::vector<std::string> overlaps = overlapping_neighbours(segment);
+  if (overlaps.empty()) return assumed;
+  if (!assumed.empty()) assumed += "; ";
+  return assumed + "the unit cell has overlapping columns as one net, which is not built: " +
+         overlaps.front();
+}
+
 FoundCell cell_of(const Segment& segment, const LatticePeriod& found, std::size_t level) {
   const PeriodPlane plane = plane_of(found);
   UnitCell cell{.coarse = mesh_of(segment, found, plane, meshes[level]),
@@ -103,7 +117,7 @@ FoundCell cell_of(const Segment& segment, const LatticePeriod& found, std::size_
                 .kind = UnitCellKind::drawn,
                 .twists = !found.mirrored && !is_mirrored_around(segment),
                 .bends = found.repeats == 1,
-                .assumed = found.assumed};
+                .assumed = with_net(found.assumed, segment)};
   if (cell.fine.unknowns > most_unknowns) {
     return {nullptr, "would have " + std::to_string(cell.fine.unknowns) +
                          " unknowns, more than the " + std::to_string(most_unknowns) +

@@ -89,8 +89,7 @@ class PeriodFinder {
   }
 
   FoundPeriod find() {
-    int pitches = 0;
-    if (!choose_length(pitches)) return {std::nullopt, std::move(reason_)};
+    if (!choose_length()) return {std::nullopt, std::move(reason_)};
     const auto shift = common_shift(families_, along_mm_);
     if (!shift) return {std::nullopt, std::move(reason_)};
     FoundPeriod found;
@@ -109,21 +108,20 @@ class PeriodFinder {
 
  private:
   /// A height after which rings and links repeat.
-  bool choose_length(int& pitches) {
+  bool choose_length() {
     if (pitch_mm_ == 0) {
       along_mm_ = longest_mm_ > 0 ? longest_mm_
                                   : segment_.lattice_circumference_mm() / families_.front().strands;
       reason_ = "knows families of strands that repeat together, these do not";
       return holds_links(families_, along_mm_, snapping) || shorter_links_repeat();
     }
-    for (pitches = 1; pitches <= most_pitches; ++pitches) {
+    for (int pitches = 1; pitches <= most_pitches; ++pitches) {
       const double along = pitches * pitch_mm_;
       if (!holds_links(families_, along, snapping) || !common_shift(families_, along)) continue;
       along_mm_ = longest_mm_ > 0 ? longest_mm_ * std::round(along / longest_mm_) : along;
       pitch_mm_ = along_mm_ / pitches;
       return true;
     }
-    pitches = 1;
     if (longest_mm_ == 0) {
       reason_ = "needs rings and families that repeat together within six pitches, these do not" +
                 better_pitch();

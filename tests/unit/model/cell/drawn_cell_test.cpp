@@ -206,6 +206,21 @@ TEST(DrawnCell, OfBendingAgreesWithAnotherProgramsFinestMesh) {
   EXPECT_NEAR(state.bend_direction_rad() / degree, middle_of_thick, 20);
 }
 
+TEST(DrawnCell, OfAFusedNetAgreesWithAnotherProgramsMesh) {
+  // The paper's 2:3.5 with sixteen columns: the thick ones overlap by 0.28 mm.
+  const Segment segment = waves(halves(16, 3.5, 2), 0.25);
+  const FoundCell found = find_unit_cell(segment);
+  ASSERT_TRUE(found.cell) << found.reason;
+  EXPECT_NE(found.cell->assumed.find("one net"), std::string::npos);
+  EXPECT_NE(found.cell->assumed.find("by 0.28"), std::string::npos) << found.cell->assumed;
+  const std::vector<BendingRow> rows = bending_rows("2:3.5", 53649);
+  const std::vector<double> pressures = {rows.front().pressure_kpa};
+  const State state = predict(segment, unit_cell(), pressures).states.front().value();
+  const double ratio = state.bend_magnitude_rad_per_mm() / rows.front().bend_rad_per_mm;
+  EXPECT_GT(ratio, 1);
+  EXPECT_LT(ratio, 1.05);
+}
+
 TEST(DrawnCell, OfTheMirroredLatticeTwistsTheOtherWay) {
   const std::vector<double> pressures = {30};
   // Mirrored by half a wave: rings on the other junctions.
