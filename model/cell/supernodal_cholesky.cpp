@@ -63,73 +63,70 @@ const Library* library() {
   return loaded.get();
 }
 
-class Cholmod final : public SupernodalCholesky {
- public:
-  Cholmod(const Library& library, const LowerTriangle& matrix) : library_(library) {
-    library_.start(&common_);
-    common_.print = 0;
-    common_.supernodal = CHOLMOD_SUPERNODAL;
-    common_.final_ll = 1;
-    common_.quick_return_if_not_posdef = 1;
-    matrix_.nrow = matrix_.ncol = matrix.starts.size() - 1;
-    matrix_.nzmax = matrix.values.size();
-    // The library only reads what these point to.
-    matrix_.p = const_cast<int*>(matrix.starts.data());
-    matrix_.i = const_cast<int*>(matrix.rows.data());
-    matrix_.x = const_cast<double*>(matrix.values.data());
-    matrix_.stype = -1;
-    matrix_.itype = CHOLMOD_INT;
-    matrix_.xtype = CHOLMOD_REAL;
-    matrix_.dtype = CHOLMOD_DOUBLE;
-    matrix_.sorted = 1;
-    matrix_.packed = 1;
-    factor_ = library_.analyze(&matrix_, &common_);
-  }
-  Cholmod(const Cholmod&) = delete;
-  Cholmod& operator=(const Cholmod&) = delete;
-  ~Cholmod() override {
-    library_.free_factor(&factor_, &common_);
-    for (cholmod_dense** kept : {&solution_, &work_, &spare_}) library_.free_dense(kept, &common_);
-    library_.finish(&common_);
-  }
-
-  bool is_ready() const { return factor_ != nullptr; }
-
-  bool factor() override {
-    return library_.factorize(&matrix_, factor_, &common_) != 0 && common_.status == CHOLMOD_OK;
-  }
-
-  void solve(std::span<double> right) override {
-    cholmod_dense given{};
-    given.nrow = given.d = matrix_.nrow;
-    given.nzmax = right.size();
-    given.ncol = right.size() / matrix_.nrow;
-    given.x = right.data();
-    given.xtype = CHOLMOD_REAL;
-    given.dtype = CHOLMOD_DOUBLE;
-    library_.solve(CHOLMOD_A, factor_, &given, nullptr, &solution_, nullptr, &work_, &spare_,
-                   &common_);
-    const auto* values = static_cast<const double*>(solution_->x);
-    std::copy_n(values, right.size(), right.data());
-  }
-
- private:
-  const Library& library_;
-  cholmod_common common_{};
-  cholmod_sparse matrix_{};
-  cholmod_factor* factor_ = nullptr;
-  cholmod_dense* solution_ = nullptr;
-  cholmod_dense* work_ = nullptr;
-  cholmod_dense* spare_ = nullptr;
-};
-
 }  // namespace
+
+struct SupernodalCholesky::Factor {
+  Factor(const Library& loaded, const LowerTriangle& of) : library(loaded) {
+    library.start(&common);
+    common.print = 0;
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.final_ll = 1;
+    common.quick_return_if_not_posdef = 1;
+    matrix.nrow = matrix.ncol = of.starts.size() - 1;
+    matrix.nzmax = of.values.size();
+    // The library only reads what these point to.
+    matrix.p = const_cast<int*>(of.starts.data());
+    matrix.i = const_cast<int*>(of.rows.data());
+    matrix.x = const_cast<double*>(of.values.data());
+    matrix.stype = -1;
+    matrix.itype = CHOLMOD_INT;
+    matrix.xtype = CHOLMOD_REAL;
+    matrix.dtype = CHOLMOD_DOUBLE;
+    matrix.sorted = 1;
+    matrix.packed = 1;
+    factor = library.analyze(&matrix, &common);
+  }
+  Factor(const Factor&) = delete;
+  Factor& operator=(const Factor&) = delete;
+  ~Factor() {
+    library.free_factor(&factor, &common);
+    for (cholmod_dense** kept : {&solution, &work, &spare}) library.free_dense(kept, &common);
+    library.finish(&common);
+  }
+
+  const Library& library;
+  cholmod_common common{};
+  cholmod_sparse matrix{};
+  cholmod_factor* factor = nullptr;
+  cholmod_dense* solution = nullptr;
+  cholmod_dense* work = nullptr;
+  cholmod_dense* spare = nullptr;
+};
 
 std::unique_ptr<SupernodalCholesky> SupernodalCholesky::make(const LowerTriangle& matrix) {
   if (library() == nullptr) return nullptr;
-  auto made = std::make_unique<Cholmod>(*library(), matrix);
-  if (!made->is_ready()) return nullptr;
-  return made;
+  auto factor = std::make_unique<Factor>(*library(), matrix);
+  if (factor->factor == nullptr) return nullptr;
+  return std::unique_ptr<SupernodalCholesky>(new SupernodalCholesky(std::move(factor)));
+}
+
+bool SupernodalCholesky::factor() {
+  Factor& f = *factor_;
+  return f.library.factorize(&f.matrix, f.factor, &f.common) != 0 && f.common.status == CHOLMOD_OK;
+}
+
+void SupernodalCholesky::solve(std::span<double> right) {
+  Factor& f = *factor_;
+  cholmod_dense given{};
+  given.nrow = given.d = f.matrix.nrow;
+  given.nzmax = right.size();
+  given.ncol = right.size() / f.matrix.nrow;
+  given.x = right.data();
+  given.xtype = CHOLMOD_REAL;
+  given.dtype = CHOLMOD_DOUBLE;
+  f.library.solve(CHOLMOD_A, f.factor, &given, nullptr, &f.solution, nullptr, &f.work, &f.spare,
+                  &f.common);
+  std::copy_n(static_cast<const double*>(f.solution->x), right.size(), right.data());
 }
 
 }  // namespace latticast
@@ -138,10 +135,24 @@ std::unique_ptr<SupernodalCholesky> SupernodalCholesky::make(const LowerTriangle
 
 namespace latticast {
 
+struct SupernodalCholesky::Factor {};
+
 std::unique_ptr<SupernodalCholesky> SupernodalCholesky::make(const LowerTriangle&) {
   return nullptr;
 }
+bool SupernodalCholesky::factor() {
+  return false;
+}
+void SupernodalCholesky::solve(std::span<double>) {}
 
 }  // namespace latticast
 
 #endif
+
+namespace latticast {
+
+SupernodalCholesky::SupernodalCholesky(std::unique_ptr<Factor> factor)
+    : factor_(std::move(factor)) {}
+SupernodalCholesky::~SupernodalCholesky() = default;
+
+}  // namespace latticast

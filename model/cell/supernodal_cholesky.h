@@ -21,12 +21,18 @@ class SupernodalCholesky {
   /// Looks at the pattern. Null where the library is not there. The matrix keeps its place in
   /// memory while its values change.
   static std::unique_ptr<SupernodalCholesky> make(const LowerTriangle& matrix);
-  virtual ~SupernodalCholesky() = default;
+  ~SupernodalCholesky();
 
   /// False where the matrix is not positive definite.
-  virtual bool factor() = 0;
+  bool factor();
   /// `right`, one or more columns, becomes the solution. Precondition: factored.
-  virtual void solve(std::span<double> right) = 0;
+  void solve(std::span<double> right);
+
+ private:
+  struct Factor;
+  explicit SupernodalCholesky(std::unique_ptr<Factor> factor);
+
+  std::unique_ptr<Factor> factor_;
 };
 
 }  // namespace latticast
