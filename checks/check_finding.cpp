@@ -89,9 +89,10 @@ constexpr std::array codes = {
     CheckCode{"folds", Severity::warning, "the liner's shortened side creases"},
     CheckCode{"angle-out-of-range", Severity::warning,
               "strands nearer to the circumference than the model is valid"},
-    CheckCode{"rings-in-step", Severity::note,
-              "all rings cross curved strands at the same place of their waves, which the model "
-              "does not see"},
+    CheckCode{
+        "rings-in-step", Severity::note,
+        "all rings cross curved strands at the same place of their waves, which kind = layered "
+        "does not see"},
     CheckCode{"modulus-band", Severity::note,
               "the material is known too roughly to predict the motion within a fifth"},
     // Files.

@@ -81,7 +81,7 @@ CheckFinding ring_finding(const RingsOnWaves& rings) {
   finding.unit = "waves";
   finding.message = fmt::format(
       "rings cross its waves at nearly the same place, the first at {:.2f} of a wave and the last "
-      "at {:.2f} (0 and 0.5: where half waves meet, 0.25: on the bulges), which the prediction "
+      "at {:.2f} (0 and 0.5: where half waves meet, 0.25: on the bulges), which kind = \"layered\" "
       "does not see: in finite elements the paper's elongating lattice (2:2), with rings one wave "
       "apart, lengthens at 30 kPa by 9.5 % with rings on the bulges, 7.5 % where half waves meet "
       "and 7.8 % between, and off the bulges it twists by 0.004 to 0.005 rad/mm",

@@ -183,10 +183,15 @@ class ResponseSolver {
   void report_loss(Response& response) const {
     response.status = Status::not_converged;
     const double pressure = kpa_from_mpa(branch_.balance().pressure_mpa(branch_.here().x));
-    const std::string reason =
-        cell_ && cell_->buckled()
-            ? ": the wall buckles between the lattice's strands and rings there"
-            : reason_of_loss(branch_.balance(), branch_.here());
+    std::string reason = reason_of_loss(branch_.balance(), branch_.here());
+    if (cell_ && cell_->buckled()) {
+      reason = ": the wall buckles between the lattice's strands and rings there";
+    }
+    if (cell_ && cell_->exhausted()) {
+      reason =
+          ": the unit cell has been solved as often as one request may; the end of the branch "
+          "may be near, ask for lower pressures";
+    }
     add_sentence(response.message, "the equilibrium could not be followed beyond " +
                                        pressure_text(pressure) + reason);
   }

@@ -11,6 +11,14 @@
 #include "model/section_response.h"
 
 namespace latticast {
+namespace {
+
+void add_assumption(const PreparedSegment& segment, Response& response) {
+  if (!segment.cell || segment.cell->assumed.empty()) return;
+  add_sentence(response.message, segment.cell->assumed);
+}
+
+}  // namespace
 
 Response predict(const PreparedSegment& segment, std::span<const double> pressures_kpa, Held held,
                  const SolverOptions& options) {
@@ -25,13 +33,13 @@ Response predict(const PreparedSegment& segment, std::span<const double> pressur
     return response;
   }
   if (segment.calibrate != Calibrate::nothing) {
-    return calibrated_response(segment, pressures_kpa, held, options);
+    Response response = calibrated_response(segment, pressures_kpa, held, options);
+    add_assumption(segment, response);
+    return response;
   }
   const SectionPath path{std::get<Section>(segment.section), segment.cell.get(), segment.length_mm};
   Response response = section_response(path, pressures_kpa, held, options);
-  if (segment.cell && !segment.cell->assumed.empty()) {
-    add_sentence(response.message, segment.cell->assumed);
-  }
+  add_assumption(segment, response);
   if (!segment.not_calibrated.empty()) {
     add_sentence(response.message, "not calibrated: " + segment.not_calibrated);
   }

@@ -93,7 +93,7 @@ class OutlineBuilder {
     BoxEdge edge{point(a), point(b), left, right, std::nullopt};
     edge.curve =
         traced(region_.drawn, origin, outline_.points[edge.from], outline_.points[edge.to]);
-    edges_.push_back(std::move(edge));
+    edges_.push_back(edge);
   }
 
   void collect_edges() {
@@ -183,7 +183,7 @@ class OutlineBuilder {
         outline_.points.push_back(whole.at(end, a, b));
       }
       outline_.edges.push_back({last, next});
-      outline_.pieces.push_back(std::move(piece));
+      outline_.pieces.push_back(piece);
       last = next;
     }
   }

@@ -43,7 +43,7 @@ constexpr double closing_by_width = 0.02;
 constexpr int least_sectors = 3;
 
 // About 5 kB an unknown are needed.
-constexpr int most_unknowns = 200000;
+constexpr int most_unknowns = 120000;
 
 /// Nearly one element across the thinnest strand, and nearly four from strand to strand.
 double element_size_mm(const Segment& segment) {
@@ -121,7 +121,7 @@ FoundCell cell_of(const Segment& segment, const LatticePeriod& found, std::size_
   if (cell.fine.unknowns > most_unknowns) {
     return {nullptr, "would have " + std::to_string(cell.fine.unknowns) +
                          " unknowns, more than the " + std::to_string(most_unknowns) +
-                         " that are solved for (1 GB)"};
+                         " that are solved for (0.6 GB, about 2 s each time)"};
   }
   return {std::make_shared<const UnitCell>(std::move(cell)), {}};
 }

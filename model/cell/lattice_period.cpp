@@ -96,8 +96,7 @@ class PeriodFinder {
     LatticePeriod& period = found.period.emplace();
     period.drawn = segment_;
     period.shift_mm = *shift;
-    period.repeats = families_.front().strands;
-    for (const FamilyPeriod& f : families_) period.repeats = std::gcd(period.repeats, f.strands);
+    period.repeats = shared_repeats();
     if (period.repeats == 1 && !are_upright()) {
       return {std::nullopt, "knows strands that differ around the tube along the axis only"};
     }
@@ -154,9 +153,15 @@ class PeriodFinder {
     return holds_links(families_, along_mm_, snapping);
   }
 
+  int shared_repeats() const {
+    int repeats = families_.front().strands;
+    for (const FamilyPeriod& f : families_) repeats = std::gcd(repeats, f.strands);
+    return repeats;
+  }
+
   /// For two families of opposite angles: the pitch at which they repeat that is nearest.
   std::string better_pitch() const {
-    if (families_.size() < 2) return {};
+    if (families_.size() < 2 || shared_repeats() == 1) return {};
     const double apart = std::abs(families_[1].cotangent - families_[0].cotangent);
     const double around = std::min(families_[0].around_mm, families_[1].around_mm);
     if (apart == 0) return {};
@@ -186,9 +191,11 @@ class PeriodFinder {
     }
     period.from_mm = start + along_mm_;
     period.to_mm = period.from_mm + (period.mirrored ? 0.5 : 1) * along_mm_;
-    period.drawn.length_mm = 4 * along_mm_;
+    period.drawn.length_mm = drawn_length_mm();
     period.drawn.lattice = drawn_lattice(start);
   }
+
+  double drawn_length_mm() const { return 4 * along_mm_; }
 
   Lattice drawn_lattice(double ring_mm) const {
     Lattice lattice = *segment_.lattice;
@@ -199,7 +206,11 @@ class PeriodFinder {
                             .phase = std::fmod(ring_mm / pitch_mm_, 1.0)};
     }
     for (Grid& grid : lattice.grids) {
-      if (grid.count() > 0) grid.path = closed(placed_strand(segment_, grid)).shape;
+      if (grid.count() == 0) continue;
+      grid.path = closed(placed_strand(segment_, grid)).shape;
+      // Waves are counted on the whole of a strand.
+      auto* sinusoid = std::get_if<Sinusoid>(&grid.path);
+      if (sinusoid != nullptr) sinusoid->waves *= drawn_length_mm() / segment_.length_mm;
     }
     return lattice;
   }

@@ -29,6 +29,10 @@ constexpr std::array<double, strip_levels> extrapolation_of_strips = {0.75, 0.7}
 // Of the difference between both meshes, by its extrapolation.
 constexpr double doubtful_share = 1.0 / 3;
 
+// That one path of states may ask for: about a minute's work at most.
+constexpr int least_factorisations = 60;
+constexpr int factorisations_by_unknowns = 800000;
+
 // Of the largest part of a response, scaled, below which another is not judged.
 constexpr double small_part = 0.02;
 
@@ -54,6 +58,11 @@ std::vector<FreeCoordinate> free_coordinates(const UnitCell& cell) {
   if (cell.bends) free.push_back({coordinate::bend_1, 1 / radius});
   if (cell.bends) free.push_back({coordinate::bend_2, 1 / radius});
   return free;
+}
+
+bool is_rest(const Deformation& at) {
+  return at.elongation == 0 && at.twist == 0 && at.inner_growth == 0 && at.bend_1 == 0 &&
+         at.bend_2 == 0;
 }
 
 std::string text(double percent) {
@@ -128,9 +137,15 @@ FoundCell find_unit_cell(const Segment& segment, double error_percent) {
 }
 
 UnitCellEnergy::UnitCellEnergy(const UnitCell& cell)
-    : coarse_(cell.coarse), fine_(cell.fine), extrapolation_(cell.extrapolation) {}
+    : coarse_(cell.coarse),
+      fine_(cell.fine),
+      extrapolation_(cell.extrapolation),
+      most_factorisations_(least_factorisations +
+                           factorisations_by_unknowns / std::max(1, cell.fine.unknowns)) {}
 
 std::optional<ExtrapolatedEnergy> UnitCellEnergy::at(const Deformation& deformation) {
+  // Rest is known, and every path begins there.
+  if (exhausted() && !is_rest(deformation)) return std::nullopt;
   const auto fine = fine_.at(deformation);
   if (!fine) return std::nullopt;
   buckled_ = !fine_.is_minimum();

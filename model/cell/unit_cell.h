@@ -64,11 +64,16 @@ class UnitCellEnergy {
   /// Whether the wall buckled within the cell where at() was empty.
   bool buckled() const { return buckled_; }
 
+  /// Whether at() was empty because the cell had been factored as often as one path of states may
+  /// ask: some hundred times, a large one some dozens.
+  bool exhausted() const { return fine_.factorisations() > most_factorisations_; }
+
  private:
   CondensedCell coarse_;
   CondensedCell fine_;
   double extrapolation_;
   bool buckled_ = false;
+  int most_factorisations_;
 };
 
 }  // namespace latticast

@@ -301,6 +301,36 @@ TEST(DrawnCell, IsRefinedAsFarAsItsErrorAsks) {
   EXPECT_NEAR(usual.inner_radius_mm, better.inner_radius_mm, error * (better.inner_radius_mm - 12));
 }
 
+TEST(DrawnCell, DoesNotDependOnTheSegmentsLength) {
+  const auto sinusoids = [](int waves) {
+    Segment segment = paper_segment({});
+    segment.length_mm = 12.0 * waves;
+    segment.lattice->grids.push_back(
+        {90, std::vector<double>(14, 1.5), Sinusoid{1.6, 1.0 * waves}});
+    segment.lattice->rings =
+        Rings{.count = std::nullopt, .pitch_mm = 12, .width_mm = 2, .phase = 0.25};
+    return segment;
+  };
+  const std::vector<double> pressures = {20};
+  const State two = predict(sinusoids(2), unit_cell(), pressures).states.front().value();
+  const State six = predict(sinusoids(6), unit_cell(), pressures).states.front().value();
+  EXPECT_NEAR(six.stretch - 1, two.stretch - 1, 1e-3 * (two.stretch - 1));
+  // As long as the arc that the lattice is, it gives less than the section that forgets its rings.
+  EXPECT_GT(two.stretch - 1, 0.3 * (predict(sinusoids(2), {}, pressures).states[0]->stretch - 1));
+}
+
+TEST(DrawnCell, KnowsFilletsOfStrips) {
+  Segment sharp = twisting_segment(36);
+  Segment round = sharp;
+  round.lattice->fillet_mm = 0.5;
+  EXPECT_EQ(find_unit_cell(sharp).cell->kind, UnitCellKind::strips);
+  EXPECT_EQ(find_unit_cell(round).cell->kind, UnitCellKind::drawn);
+  const std::vector<double> pressures = {20};
+  const State with = predict(round, unit_cell(), pressures).states.front().value();
+  const State without = predict(sharp, unit_cell(), pressures).states.front().value();
+  EXPECT_LT(with.stretch - 1, 0.98 * (without.stretch - 1));  // they stiffen the crossings
+}
+
 TEST(DrawnCell, IsRefusedByName) {
   const auto refusal = [](const Segment& segment) { return find_unit_cell(segment).reason; };
   EXPECT_NE(refusal(tube(12, 16, NeoHookean{0.08})).find("there is none"), std::string::npos);
