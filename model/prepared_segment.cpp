@@ -129,9 +129,10 @@ PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model
   }
   prepared.section = prepare_section(segment, model, known);
   if (prepared.cell) follow_cell(*prepared.cell, std::get<Section>(prepared.section));
-  if (calibrated)
+  if (calibrated) {
     calibrate(find_unit_cell(segment, model.cell_error_percent), segment, model.calibrate,
               prepared);
+  }
   return prepared;
 }
 

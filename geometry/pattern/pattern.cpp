@@ -66,8 +66,9 @@ Pattern draw_lattice(const Segment& segment, double flatness_mm, Neighbours neig
   const double circumference = segment.lattice_circumference_mm();
   Pattern pattern{circumference, segment.length_mm, {}};
   std::string problems;
-  for (const std::string& problem : drawing_problems(segment, neighbours))
+  for (const std::string& problem : drawing_problems(segment, neighbours)) {
     problems += "\n  " + problem;
+  }
   if (!problems.empty()) throw CannotDraw("the lattice cannot be drawn:" + problems);
   draw_rings(*segment.lattice, pattern);
   const auto families = static_cast<int>(segment.lattice->grids.size());

@@ -182,7 +182,8 @@ bool in_one_piece(const SinusoidStrand& strand) {
 
 std::string parted_problem(const SinusoidStrand& strand) {
   std::string remedy = "use a smaller amplitude or a steeper angle";
-  for (double part = 1 - amplitude_step; part > 0.5 * amplitude_step; part -= amplitude_step) {
+  for (int step = 1; step * amplitude_step < 1 - 0.5 * amplitude_step; ++step) {
+    const double part = 1 - step * amplitude_step;
     SinusoidStrand smaller = strand;
     smaller.shape.amplitude_mm *= part;
     if (!in_one_piece(smaller)) continue;

@@ -21,8 +21,6 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using PlanePoint = Kernel::Point_2;
 
-constexpr std::uint32_t unset = ~0U;
-
 struct FaceState {
   int winding = 0;
   bool seen = false;

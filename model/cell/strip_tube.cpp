@@ -50,8 +50,9 @@ StripTube strip_tube(const Segment& segment) {
     tube.pitch_mm = ring_pitch_mm(*lattice.rings, segment.length_mm);
     tube.ring_width_mm = lattice.rings->width_mm;
   }
-  if (lattice.fillet_mm > 0 && tube.ring_width_mm > 0)
+  if (lattice.fillet_mm > 0 && tube.ring_width_mm > 0) {
     refuse("knows sharp corners, these are round");
+  }
   if (!(tube.ring_width_mm < tube.pitch_mm)) refuse("needs a gap between rings, these touch");
   const double around = segment.lattice_circumference_mm() * grid.direction().sine / grid.count();
   if (!(tube.strip_width_mm < around)) refuse("needs a gap between strips, these touch");
