@@ -24,6 +24,7 @@ const Grid& only_family(const Lattice& lattice) {
     if (only != nullptr) refuse("knows lattices of one family of strands, this one has more");
     only = &grid;
   }
+  if (only == nullptr) refuse("knows lattices with strands, this one has none");
   if (only->count() == 1) refuse("knows strips in twos or more, a single one bends the tube");
   if (is_curved(only->path)) refuse("knows straight strands, these are curved");
   const auto [thin, wide] = std::minmax_element(only->widths_mm.begin(), only->widths_mm.end());
