@@ -66,8 +66,8 @@ const Library* library() {
 }  // namespace
 
 struct SupernodalCholesky::Factor {
-  Factor(const Library& loaded, const LowerTriangle& of) : library(loaded) {
-    library.start(&common);
+  Factor(const Library& loaded, const LowerTriangle& of) : cholmod(loaded) {
+    cholmod.start(&common);
     common.print = 0;
     common.supernodal = CHOLMOD_SUPERNODAL;
     common.final_ll = 1;
@@ -84,17 +84,17 @@ struct SupernodalCholesky::Factor {
     matrix.dtype = CHOLMOD_DOUBLE;
     matrix.sorted = 1;
     matrix.packed = 1;
-    factor = library.analyze(&matrix, &common);
+    factor = cholmod.analyze(&matrix, &common);
   }
   Factor(const Factor&) = delete;
   Factor& operator=(const Factor&) = delete;
   ~Factor() {
-    library.free_factor(&factor, &common);
-    for (cholmod_dense** kept : {&solution, &work, &spare}) library.free_dense(kept, &common);
-    library.finish(&common);
+    cholmod.free_factor(&factor, &common);
+    for (cholmod_dense** kept : {&solution, &work, &spare}) cholmod.free_dense(kept, &common);
+    cholmod.finish(&common);
   }
 
-  const Library& library;
+  const Library& cholmod;
   cholmod_common common{};
   cholmod_sparse matrix{};
   cholmod_factor* factor = nullptr;
@@ -112,7 +112,7 @@ std::unique_ptr<SupernodalCholesky> SupernodalCholesky::make(const LowerTriangle
 
 bool SupernodalCholesky::factor() {
   Factor& f = *factor_;
-  return f.library.factorize(&f.matrix, f.factor, &f.common) != 0 && f.common.status == CHOLMOD_OK;
+  return f.cholmod.factorize(&f.matrix, f.factor, &f.common) != 0 && f.common.status == CHOLMOD_OK;
 }
 
 void SupernodalCholesky::solve(std::span<double> right) {
@@ -124,7 +124,7 @@ void SupernodalCholesky::solve(std::span<double> right) {
   given.x = right.data();
   given.xtype = CHOLMOD_REAL;
   given.dtype = CHOLMOD_DOUBLE;
-  f.library.solve(CHOLMOD_A, f.factor, &given, nullptr, &f.solution, nullptr, &f.work, &f.spare,
+  f.cholmod.solve(CHOLMOD_A, f.factor, &given, nullptr, &f.solution, nullptr, &f.work, &f.spare,
                   &f.common);
   std::copy_n(static_cast<const double*>(f.solution->x), right.size(), right.data());
 }

@@ -52,4 +52,17 @@ void expect_derivatives(const Components<N>& u, const Evaluate& evaluated, doubl
   }
 }
 
+/// Displacement of one deformation gradient everywhere, along a node's own directions.
+inline std::array<double, 3> uniform_gradient(const CellNode& node) {
+  constexpr double g[3][3] = {{0.08, 0.03, -0.02}, {-0.05, 0.1, 0.04}, {0.06, -0.03, -0.07}};
+  const double c = std::cos(node.angle_rad);
+  const double s = std::sin(node.angle_rad);
+  const double place[3] = {node.radius_mm * c, node.radius_mm * s, node.height_mm};
+  double moved[3] = {};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) moved[i] += g[i][j] * place[j];
+  }
+  return {c * moved[0] + s * moved[1], c * moved[1] - s * moved[0], moved[2]};
+}
+
 }  // namespace latticast::testing
