@@ -11,6 +11,7 @@
 #include "app/interrupt.h"
 #include "app/plan.h"
 #include "app/products.h"
+#include "files/staging_folder.h"
 #include "geometry/pattern/drawing_problems.h"
 #include "prepared/prepared_design.h"
 
@@ -33,6 +34,7 @@ ExitStatus run_build(const BuildArguments& arguments, const Console& console) {
     console.note("nothing to make: name what you want under [make], for example lattice = true");
     return ExitStatus::done;
   }
+  clear_left_overs(arguments.folder);
   watch_for_interrupt();
   PreparedDesign prepared(*design);
   const CheckFindings findings = checks_before_build(prepared, plan);

@@ -16,6 +16,11 @@ bool colour_wanted() {
   return refused == nullptr || *refused == '\0';
 }
 
+// What a stream does not take is found out when the program ends (app/standard_streams.h).
+void put(std::string_view text, std::FILE* stream) {
+  std::fwrite(text.data(), 1, text.size(), stream);
+}
+
 }  // namespace
 
 Console::Console(bool quiet, std::FILE* output)
@@ -25,28 +30,29 @@ Console::Console(bool quiet, std::FILE* output)
       colour_(terminal_ && colour_wanted()) {}
 
 void Console::data(std::string_view text) const {
-  std::fwrite(text.data(), 1, text.size(), output_);
+  put(text, output_);
 }
 
 void Console::note(std::string_view line) const {
   if (quiet_) return;
   end_progress();
-  fmt::print(stderr, "{}\n", line);
+  put(fmt::format("{}\n", line), stderr);
 }
 
 void Console::error(std::string_view line) const {
   end_progress();
-  fmt::print(stderr, "{}error:{} {}\n", colour_ ? "\033[31m" : "", colour_ ? "\033[0m" : "", line);
+  put(fmt::format("{}error:{} {}\n", colour_ ? "\033[31m" : "", colour_ ? "\033[0m" : "", line),
+      stderr);
 }
 
 void Console::progress(int percent, std::string_view what) const {
   if (quiet_ || !terminal_) return;
-  fmt::print(stderr, "\r\033[K[{:3d} %] {}", percent, what);
+  put(fmt::format("\r\033[K[{:3d} %] {}", percent, what), stderr);
   std::fflush(stderr);
 }
 
 void Console::end_progress() const {
-  if (!quiet_ && terminal_) fmt::print(stderr, "\r\033[K");
+  if (!quiet_ && terminal_) put("\r\033[K", stderr);
 }
 
 }  // namespace latticast

@@ -10,8 +10,8 @@
 #include "app/builder.h"
 #include "app/file_error.h"
 #include "design/design.h"
-#include "export/atomic_file.h"
 #include "export/mesh/mesh_file.h"
+#include "files/atomic_file.h"
 #include "geometry/mesh/weld.h"
 #include "geometry/solid/tube_solids.h"
 

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "app/progress.h"
-#include "app/staging_folder.h"
 #include "design/mesh_format.h"
 #include "export/colour.h"
+#include "files/staging_folder.h"
 #include "geometry/solid/audit.h"
 #include "geometry/solid/solid_error.h"
 

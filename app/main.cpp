@@ -15,6 +15,7 @@
 #include "app/materials_command.h"
 #include "app/new_command.h"
 #include "app/products.h"
+#include "app/standard_streams.h"
 #include "design/file_error.h"
 #include "design/joined.h"
 #include "design/nearest_name.h"
@@ -148,17 +149,26 @@ int run_main(int argc, char** argv) {
   return static_cast<int>(run_guarded(typed, Console(typed.quiet)));
 }
 
+// Whatever came of the run: who cannot read the answer has none.
+int with_output_checked(int status) {
+  const std::string lost = lost_output();
+  if (lost.empty()) return status;
+  std::fputs(("error: " + lost + "\n").c_str(), stderr);
+  return static_cast<int>(ExitStatus::file_error);
+}
+
 }  // namespace
 }  // namespace latticast
 
 int main(int argc, char** argv) {
+  latticast::guard_standard_streams();
   try {
-    return latticast::run_main(argc, argv);
+    return latticast::with_output_checked(latticast::run_main(argc, argv));
   } catch (const std::exception& fault) {
     // Not one of the errors that commands know: memory ran out, or the program is wrong.
     std::fputs("error: unexpected: ", stderr);
     std::fputs(fault.what(), stderr);
     std::fputs("\n", stderr);
-    return static_cast<int>(latticast::ExitStatus::unexpected);
+    return latticast::with_output_checked(static_cast<int>(latticast::ExitStatus::unexpected));
   }
 }

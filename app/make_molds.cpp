@@ -6,8 +6,8 @@
 #include "app/makers.h"
 #include "app/mold_picture.h"
 #include "app/mold_set.h"
-#include "export/atomic_file.h"
 #include "export/picture/png_file.h"
+#include "files/atomic_file.h"
 #include "molds/print_size.h"
 
 namespace latticast {

@@ -148,7 +148,11 @@ ExitStatus run_new(const std::string& kind, const std::filesystem::path& file,
                                           : std::strerror(errno));
   }
   const bool written = std::fwrite(design.data(), 1, design.size(), stream) == design.size();
-  if (std::fclose(stream) != 0 || !written) throw FileError(path, std::strerror(errno));
+  if (std::fclose(stream) != 0 || !written) {
+    const FileError fault(path, std::strerror(errno));
+    std::remove(path.c_str());  // no half of a design
+    throw fault;
+  }
   console.note(fmt::format("wrote {0}; next: latticast predict {0}", path.string()));
   return ExitStatus::done;
 }

@@ -3,9 +3,9 @@
 
 #include <fmt/core.h>
 
-#include "export/atomic_file.h"
 #include "export/flat/flat_drawing.h"
 #include "export/flat/flat_marks.h"
+#include "files/atomic_file.h"
 
 namespace latticast {
 namespace {

@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "export/atomic_file.h"
 #include "export/mesh/glb_file.h"
 #include "export/mesh/glb_library.h"
 #include "export/mesh/little_endian.h"
 #include "export/mesh/mesh_checks.h"
+#include "files/atomic_file.h"
 
 namespace latticast {
 namespace {

@@ -9,9 +9,9 @@
 #include <system_error>
 
 #include "design/file_error.h"
-#include "export/atomic_file.h"
 #include "export/mesh/mesh_checks.h"
 #include "export/mesh/mesh_formats.h"
+#include "files/atomic_file.h"
 
 namespace latticast {
 namespace {

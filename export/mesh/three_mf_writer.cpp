@@ -6,10 +6,10 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "export/atomic_file.h"
 #include "export/mesh/mesh_checks.h"
 #include "export/mesh/three_mf_file.h"
 #include "export/mesh/zip_archive.h"
+#include "files/atomic_file.h"
 
 namespace latticast {
 namespace {

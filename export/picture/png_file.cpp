@@ -8,7 +8,7 @@
 #include <png.h>
 
 #include "design/file_error.h"
-#include "export/atomic_file.h"
+#include "files/atomic_file.h"
 
 namespace latticast {
 namespace {

@@ -42,7 +42,7 @@ class TemporaryFile {
 
  private:
   void open_unnamed();
-  void open_named();
+  void open_named(unsigned mode);
   void give_name();
   [[noreturn]] void fail(const std::string& reason) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "export/atomic_file.h"
+#include "files/atomic_file.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>

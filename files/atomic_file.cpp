@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "export/atomic_file.h"
+#include "files/atomic_file.h"
 
 #include <cerrno>
 #include <system_error>
@@ -75,7 +75,7 @@ TemporaryFile::TemporaryFile(const std::filesystem::path& target, Name name)
     open_unnamed();
   }
   if (descriptor_ < 0) {
-    open_named();
+    open_named(replaces ? old.st_mode & 0777U : new_file_mode);
   }
   if (replaces) {
     ::fchmod(descriptor_, old.st_mode & 0777U);
@@ -108,10 +108,10 @@ void TemporaryFile::open_unnamed() {
 #endif
 }
 
-void TemporaryFile::open_named() {
+void TemporaryFile::open_named(unsigned mode) {
   for (int attempt = 0; attempt < attempts && descriptor_ < 0; ++attempt) {
     const auto name = temporary_name(folder_of(place_), attempt);
-    descriptor_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, new_file_mode);
+    descriptor_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, mode);
     if (descriptor_ >= 0) {
       temporary_ = name;
     } else if (errno != EEXIST) {
