@@ -21,7 +21,7 @@
 #include "molds/liner_mold.h"
 #include "molds/mold_options.h"
 #include "molds/pour_plan.h"
-#include "molds/print_size.h"
+#include "molds/replica_mold.h"
 #include "prepared/prepared_lattices.h"
 #include "prepared/prepared_molds.h"
 
@@ -62,7 +62,7 @@ class MoldChecks {
     if (!drawing_problems(segment_).empty()) return;
     try {
       if (asked.method == MoldMethod::replica) {
-        check_pieces("lattice-mold", molds_.lattice_mold(index_));
+        check_pieces("lattice-mold", replica_extent(molds_.lattice_mold_plan(index_)));
       } else {
         check_direct_mold(molds_.lattice_mold_plan(index_));
       }
@@ -77,7 +77,7 @@ class MoldChecks {
     check_wall("liner_mold", "liner-mold", asked.wall_mm);
     if (asked.keyed && !drawing_problems(segment_).empty()) return;
     try {
-      check_pieces("liner-mold", molds_.liner_mold(index_));
+      check_pieces("liner-mold", extent_of(segment_, liner_mold_options(design_, segment_)));
     } catch (const CannotMold& fault) {
       add_impossible("liner-mold", fault.what());
     } catch (const GeometryError& fault) {
@@ -113,10 +113,15 @@ class MoldChecks {
     findings_.push_back(std::move(finding));
   }
 
-  void check_pieces(const std::string& part, const Mold& mold) {
-    for (const MoldPiece& piece : mold.pieces) {
-      const PrintSize size = print_size(piece);
-      check_bed(part + " " + piece.name, {size.width_mm, size.depth_mm, size.height_mm});
+  // Nothing is wider than the plates, and nothing higher than these.
+  void check_pieces(const std::string& part, const MoldExtent& extent) {
+    const double core = extent.core_diameter_mm;
+    const double plate = extent.plate_diameter_mm;
+    if (extent.core_length_mm > 0) check_bed(part + " core", {core, core, extent.core_length_mm});
+    check_bed(part + " base", {plate, plate, extent.plate_height_mm});
+    const double highest = std::max(extent.core_length_mm, extent.plate_height_mm);
+    if (extent.shell_height_mm > highest) {
+      check_bed(part + " shell", {0.5 * plate, 0.5 * plate, extent.shell_height_mm});
     }
   }
 
@@ -134,11 +139,7 @@ class MoldChecks {
     check_demolding(plan);
     check_bores(plan);
     check_pour(plan);
-    const MoldExtent extent = extent_of(plan);
-    check_bed("lattice-mold core",
-              {2 * plan.shell.cast.floor_mm, 2 * plan.shell.cast.floor_mm, extent.core_length_mm});
-    check_bed("lattice-mold base",
-              {extent.plate_diameter_mm, extent.plate_diameter_mm, extent.plate_height_mm});
+    check_pieces("lattice-mold", extent_of(plan));
   }
 
   void check_depth() {

@@ -287,9 +287,13 @@ LatticeMoldPlan plan_lattice_mold(LatticeDrawing& drawing, const LatticeMoldOpti
 MoldExtent extent_of(const LatticeMoldPlan& plan) {
   const MoldFit& fit = plan.options.fit;
   const double rim_mm = plan.land_mm - 1;
-  return {2 * (plan.shell.outer_radius_mm + 0.5 * fit.clearance_mm + fit.wall_mm),
-          rim_mm + socket_mm + floor_mm,
-          plan.segment.length_mm + 2 * (plan.land_mm + socket_mm) - fit.clearance_mm};
+  const double shell = plan.segment.length_mm + 2 * plan.land_mm;
+  return {
+      .plate_diameter_mm = 2 * (plan.shell.outer_radius_mm + 0.5 * fit.clearance_mm + fit.wall_mm),
+      .plate_height_mm = rim_mm + socket_mm + floor_mm,
+      .core_diameter_mm = 2 * plan.shell.cast.floor_mm,
+      .core_length_mm = shell + 2 * socket_mm - fit.clearance_mm,
+      .shell_height_mm = shell};
 }
 
 Mold lattice_mold(const LatticeMoldPlan& plan) {

@@ -39,12 +39,6 @@ LatticeMoldPlan plan_lattice_mold(LatticeDrawing& drawing, const LatticeMoldOpti
 /// Of a segment that is drawn for this mold alone.
 LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptions& options);
 
-/// How large the widest and the highest piece are, in printing pose: base and cap, and the core.
-struct MoldExtent {
-  double plate_diameter_mm = 0;
-  double plate_height_mm = 0;
-  double core_length_mm = 0;
-};
 MoldExtent extent_of(const LatticeMoldPlan& plan);
 
 /// The pieces: shell-1 to shell-N, core, base, cap. The cavity lies at 0 <= z <= the segment's

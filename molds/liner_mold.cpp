@@ -324,6 +324,21 @@ LinerCavity liner_cavity(const Segment& segment, const LinerMoldOptions& options
   return cavity;
 }
 
+MoldExtent extent_of(const Segment& segment, const LinerMoldOptions& options) {
+  const Frame frame = make_frame(liner_cavity(segment, options), options);
+  const LinerCavity& cavity = frame.cavity;
+  const EndPlate plate = plain_plate(frame);
+  const bool closed = cavity.closed_mm > 0;
+  const double above_floor = closed ? std::max(frame.rim_mm, cavity.height_mm - cavity.closed_mm)
+                                    : frame.socket_mm + frame.rim_mm;
+  const double whole_core = cavity.height_mm + 2 * frame.socket_mm - frame.clearance_mm;
+  return {.plate_diameter_mm = 2 * (frame.outside_mm + 0.5 * frame.clearance_mm + frame.wall_mm),
+          .plate_height_mm = plate.floor_mm + above_floor,
+          .core_diameter_mm = 2 * cavity.core_radius_mm,
+          .core_length_mm = closed ? 0 : whole_core,
+          .shell_height_mm = cavity.height_mm};
+}
+
 Mold liner_mold(const Segment& segment, const LinerMoldOptions& options, LatticeDrawing* drawing) {
   const Frame frame = make_frame(liner_cavity(segment, options), options);
   Mold mold;

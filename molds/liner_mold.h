@@ -38,6 +38,9 @@ struct LinerCavity {
 /// positive.
 LinerCavity liner_cavity(const Segment& segment, const LinerMoldOptions& options);
 
+/// Of the mold that liner_mold() makes of the same. Throws CannotMold as it does.
+MoldExtent extent_of(const Segment& segment, const LinerMoldOptions& options);
+
 /// Pieces "core", "shell-1" ... "shell-N", "base" and "cap"; for a closed liner the core is part of
 /// the base, which holds it straight.
 ///

@@ -28,6 +28,15 @@ struct MoldFit {
   double growth = 1;           ///< of every cavity size, against the casting's shrinkage
 };
 
+/// How large the widest and the highest pieces are in printing pose, known before any is meshed.
+struct MoldExtent {
+  double plate_diameter_mm = 0;  ///< of base and cap
+  double plate_height_mm = 0;    ///< of the base, with the core where it stands on it
+  double core_diameter_mm = 0;
+  double core_length_mm = 0;  ///< 0 where the core stands on the base
+  double shell_height_mm = 0;
+};
+
 /// Pieces and what is poured between them.
 struct Mold {
   std::vector<MoldPiece> pieces;

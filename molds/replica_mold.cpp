@@ -39,6 +39,13 @@ Segment flexible_tube(const LatticeMoldPlan& plan) {
   return tube;
 }
 
+LinerMoldOptions box_options(const LatticeMoldPlan& plan) {
+  LinerMoldOptions box;
+  box.fit = plan.options.fit;
+  box.fit.growth = 1;  // the plan has grown everything already
+  return box;
+}
+
 struct Height {
   double low_mm = 0;
   double high_mm = 0;
@@ -81,7 +88,8 @@ Solid pattern_solid(const LatticeMoldPlan& plan, const Height& height, double bo
   tube.sheets = {raised(shell.lattice, -height.low_mm, length), draw_sleeve(drawn, length),
                  std::move(gates)};
   tube.filling = pattern_layers;
-  tube.layers = {{0, rod},
+  // The rod has walls at its ends alone, flat ones: levels there would be in the chamfers' way.
+  tube.layers = {{0, rod, 0},
                  {rod, shell.cast.ceiling_mm},
                  {shell.cast.ceiling_mm, box_radius - 0.5 * fit.clearance_mm}};
   tube.cuts_mm = {chamfer_mm, length - chamfer_mm};
@@ -110,12 +118,13 @@ Mold replica_mold(const Segment& segment, const LatticeMoldOptions& options) {
   return replica_mold(plan_lattice_mold(segment, options));
 }
 
+MoldExtent replica_extent(const LatticeMoldPlan& plan) {
+  return extent_of(flexible_tube(plan), box_options(plan));
+}
+
 Mold replica_mold(const LatticeMoldPlan& plan) {
   const Segment tube = flexible_tube(plan);
-  LinerMoldOptions box;
-  box.fit = plan.options.fit;
-  box.fit.growth = 1;  // the plan has grown everything already
-  Mold mold = liner_mold(tube, box);
+  Mold mold = liner_mold(tube, box_options(plan));
   mold.notes.clear();
   const auto core = std::find_if(mold.pieces.begin(), mold.pieces.end(),
                                  [](const MoldPiece& piece) { return piece.name == "core"; });

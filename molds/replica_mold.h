@@ -18,6 +18,9 @@ inline constexpr double replica_rubber_mm = 8;  ///< flexible rubber over the la
 /// is what the flexible mold takes. Throws as lattice_mold and liner_mold do.
 Mold replica_mold(const LatticeMoldPlan& plan);
 
+/// Of its box and core; the pattern is as long as the core, and narrower than the plates.
+MoldExtent replica_extent(const LatticeMoldPlan& plan);
+
 /// Plans the lattice's mold for itself.
 Mold replica_mold(const Segment& segment, const LatticeMoldOptions& options);
 

@@ -38,14 +38,21 @@ struct IntegerGrid {
   Path path_of(const std::vector<PlanePoint>& outline) const {
     Path path;
     for (const PlanePoint& p : outline) {
-      path.emplace_back(std::llround(p.u / u_step_mm), std::llround(p.z / u_step_mm));
+      path.push_back(turned(std::llround(p.u / u_step_mm), std::llround(p.z / u_step_mm)));
     }
     return path;
   }
+
+  // Clipper sweeps along Y, and where many arcs end at one Y its time grows with the square of
+  // their points. Strands end at common heights, seldom at a common u.
+  static ClipperLib::IntPoint turned(cInt u, cInt z) { return {z, -u}; }
+  static cInt u_of(const ClipperLib::IntPoint& point) { return -point.Y; }
+  static cInt z_of(const ClipperLib::IntPoint& point) { return point.X; }
 };
 
 Path box(cInt left, cInt right, cInt from, cInt to) {
-  return {{left, from}, {right, from}, {right, to}, {left, to}};
+  return {IntegerGrid::turned(left, from), IntegerGrid::turned(right, from),
+          IntegerGrid::turned(right, to), IntegerGrid::turned(left, to)};
 }
 
 Paths part_in(const Paths& paths, const Path& window) {
@@ -65,12 +72,15 @@ Paths united_around_one_period(const Pattern& pattern, const IntegerGrid& grid, 
   for (const Strand& strand : pattern.strands) {
     const Path path = grid.path_of(strand.outline);
     const auto [left, right] = std::minmax_element(
-        path.begin(), path.end(), [](const auto& a, const auto& b) { return a.X < b.X; });
-    const auto first = static_cast<cInt>(std::ceil(double(-margin - right->X) / period));
-    const auto last = static_cast<cInt>(std::floor(double(period + margin - left->X) / period));
+        path.begin(), path.end(),
+        [](const auto& a, const auto& b) { return IntegerGrid::u_of(a) < IntegerGrid::u_of(b); });
+    const cInt leftmost = IntegerGrid::u_of(*left);
+    const cInt rightmost = IntegerGrid::u_of(*right);
+    const auto first = static_cast<cInt>(std::ceil(double(-margin - rightmost) / period));
+    const auto last = static_cast<cInt>(std::floor(double(period + margin - leftmost) / period));
     for (cInt copy = first; copy <= last; ++copy) {
       Path shifted = path;
-      for (auto& point : shifted) point.X += copy * period;
+      for (auto& point : shifted) point.Y -= copy * period;
       clipper.AddPath(shifted, ClipperLib::ptSubject, true);
     }
   }
@@ -142,8 +152,8 @@ Pattern with_fillets(const Pattern& pattern, double radius_mm, double flatness_m
   for (const Path& path : closed) {
     Strand strand;
     for (const auto& point : path) {
-      strand.outline.push_back({static_cast<double>(point.X) * grid.u_step_mm,
-                                static_cast<double>(point.Y) * z_step_mm});
+      strand.outline.push_back({static_cast<double>(IntegerGrid::u_of(point)) * grid.u_step_mm,
+                                static_cast<double>(IntegerGrid::z_of(point)) * z_step_mm});
     }
     tracer.trace(strand);
     result.strands.push_back(std::move(strand));

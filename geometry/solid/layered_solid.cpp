@@ -35,17 +35,19 @@ Solid layered_solid(const LayeredTube& tube, double tolerance_mm) {
   const Region region = layered_region(sheets, grid, cuts, tube.filling);
   Relief relief{triangulate(region), {}, tube.start_z_mm};
   Solid solid;
+  std::vector<double> steepness;
   for (std::size_t i = 0; i < tube.layers.size(); ++i) {
     const RadialLayer& layer = tube.layers[i];
-    relief.radii_mm.push_back(wall_radii(layer.floor_mm, layer.ceiling_mm, grid.sector_angle_rad(),
-                                         tube.steepness, tolerance_mm));
+    relief.radii_mm.push_back(
+        wall_radii(layer.floor_mm, layer.ceiling_mm, grid.sector_angle_rad(),
+                   steepness.emplace_back(layer.steepness.value_or(tube.steepness)), tolerance_mm));
     const double per_radius = area_mm2(region, static_cast<int>(i)) / tube.drawn_radius_mm;
     const double both = layer.ceiling_mm + layer.floor_mm;
     solid.volume_mm3 += 0.5 * per_radius * both * (layer.ceiling_mm - layer.floor_mm);
     solid.volume_bound_mm3 += per_radius * both * tolerance_mm;
   }
   solid.mesh = wrap(relief);
-  solid.error = solid_error(region, relief.radii_mm, tube.drawn_radius_mm, tube.steepness);
+  solid.error = solid_error(region, relief.radii_mm, tube.drawn_radius_mm, steepness);
   const ReliefTopology counted = topology(relief);
   solid.pieces = counted.pieces;
   solid.genus = counted.genus;

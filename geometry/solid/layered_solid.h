@@ -3,6 +3,7 @@
 // steps.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/pattern/pattern.h"
@@ -15,6 +16,8 @@ namespace latticast {
 struct RadialLayer {
   double floor_mm = 0;  ///< 0 for the first layer of a solid rod
   double ceiling_mm = 0;
+  /// Of the steepest wall (relief.h); absent: as the tube says.
+  std::optional<double> steepness = {};
 };
 
 /// What is drawn on each sheet, at one common radius and 0 <= z <= length, and what it means.

@@ -36,7 +36,7 @@ double deepest_level(const std::vector<double>& radii) {
 }  // namespace
 
 SolidError solid_error(const Region& region, const std::vector<std::vector<double>>& radii_mm,
-                       double drawn_radius_mm, double steepness) {
+                       double drawn_radius_mm, std::span<const double> steepness) {
   const double angle = region.grid.sector_angle_rad();
   const double shift = has_standing_walls(region) ? angle_shift(angle) : 0;
   SolidError error;
@@ -46,7 +46,7 @@ SolidError solid_error(const Region& region, const std::vector<std::vector<doubl
     const DrawingError plane = region_error(region, static_cast<int>(layer));
     const double grown = std::max(1.0, ceiling / drawn_radius_mm);
     const double depth = deepest_level(radii_mm[layer]);
-    const double bulge = wall_error_mm(depth, angle, steepness);
+    const double bulge = wall_error_mm(depth, angle, steepness[layer]);
     const double chords = chord_error_mm(ceiling, angle);
     // `edge`: how far a wall's upper edge is displaced along the ceiling. `bulge`: how far the wall
     // leaves its ruled surface half way down to the next level; at the share s of the depth below

@@ -3,6 +3,7 @@
 // (docs/geometry.md#how-far-a-file-may-be-from-what-was-drawn).
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace latticast {
@@ -18,10 +19,10 @@ struct SolidError {
 };
 
 /// Of the relief (relief.h) that stands on a region: `radii_mm` are its levels, the region's plane
-/// is unrolled at `drawn_radius_mm`, `steepness` as for wall_radii. Derived in docs/geometry.md.
-/// Coordinates are taken to be exact.
+/// is unrolled at `drawn_radius_mm`, `steepness` as for wall_radii, one for each layer. Derived in
+/// docs/geometry.md. Coordinates are taken to be exact.
 SolidError solid_error(const Region& region, const std::vector<std::vector<double>>& radii_mm,
-                       double drawn_radius_mm, double steepness);
+                       double drawn_radius_mm, std::span<const double> steepness);
 
 /// The largest distance that float32, which mesh files hold, moves a vertex by. 0 for no vertices.
 double rounding_mm(const TriangleMesh& mesh);

@@ -185,7 +185,8 @@ Solid wrap_layer(const Segment& segment, const SolidOptions& options, const Laye
                            walls * height * rounding;
   solid.pieces = pieces(laid_out.relief.plane);
   solid.genus = outline_loops(laid_out.region) - solid.pieces;
-  solid.error = solid_error(laid_out.region, laid_out.relief.radii_mm, mid_radius, layer.steepness);
+  solid.error = solid_error(laid_out.region, laid_out.relief.radii_mm, mid_radius,
+                            std::span(&layer.steepness, 1));
   return solid;
 }
 

@@ -60,6 +60,20 @@ TEST(ReplicaMold, OfHorseshoes) {
       paper_segment({90, std::vector<double>(16, 2.0), Horseshoe{85.0 / 32, 180, true}}));
 }
 
+// Levels of steep walls are closer together than the chamfer is deep.
+TEST(ReplicaMold, IsSoundAtFineTolerances) {
+  const Segment segment = paper_segment({36, std::vector<double>(8, 2.0), StraightPath{}});
+  for (const double tolerance : {0.5, 0.003, 0.002, 0.0005}) {
+    SCOPED_TRACE(tolerance);
+    LatticeMoldOptions options;
+    options.fit.tolerance_mm = tolerance;
+    const Mold mold = replica_mold(segment, options);
+    const Solid& pattern = piece_named(mold, "pattern").solid;
+    expect_sound(pattern, 0);
+    EXPECT_LT(pattern.error.surface_mm, 2 * std::min(tolerance, 0.06));
+  }
+}
+
 TEST(ReplicaMold, RefusesWhatADirectMoldRefuses) {
   const Segment segment = paper_segment({36, std::vector<double>(8, 2.0), StraightPath{}});
   LatticeMoldOptions options;
