@@ -7,7 +7,6 @@
 
 #include "app/build_checks.h"
 #include "app/builder.h"
-#include "app/design_input.h"
 #include "app/interrupt.h"
 #include "app/plan.h"
 #include "app/products.h"
@@ -17,9 +16,7 @@
 
 namespace latticast {
 ExitStatus run_build(const BuildArguments& arguments, const Console& console) {
-  const auto materials = load_materials(arguments.materials, console);
-  if (!materials) return ExitStatus::invalid;
-  const auto design = load_design(arguments.design, *materials, console);
+  const auto design = load_design(arguments.design, console);
   if (!design) return ExitStatus::invalid;
   const Plan plan = plan_build(*design, arguments.only);
   if (arguments.dry_run) console.data(describe(plan));

@@ -3,18 +3,17 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/console.h"
+#include "app/design_input.h"
 #include "app/exit_status.h"
 
 namespace latticast {
 
 struct BuildArguments {
-  std::filesystem::path design;
-  std::optional<std::filesystem::path> materials;
+  DesignInput design;
   std::filesystem::path folder = ".";
   std::vector<std::string> only;
   bool dry_run = false;

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "app/answer_json.h"
 #include "design/text/written_number.h"
 #include "design/units.h"
 #include "model/shape/shape.h"
@@ -79,6 +80,25 @@ NumberRows centre_line_rows(const ChainResponse& chain, std::span<const Segment>
     }
   }
   return result;
+}
+
+std::vector<MissingRow> missing_cases(const ChainResponse& chain) {
+  std::vector<MissingRow> missing;
+  for (std::size_t i = 0; i < chain.cases.size(); ++i) {
+    if (states_in(chain, i)) continue;
+    MissingRow row{{{"case", static_cast<double>(i + 1)}}, {}};
+    for (std::size_t s = 0; s < chain.responses.size(); ++s) {
+      const double pressure = chain.cases[i].pressures_kpa[s];
+      row.of.emplace_back(fmt::format("pressure_{}_kPa", s + 1), pressure);
+      const std::vector<double>& known = chain.pressures_kpa[s];
+      const auto at = std::find(known.begin(), known.end(), pressure) - known.begin();
+      if (chain.responses[s].states[static_cast<std::size_t>(at)]) continue;
+      row.reason += fmt::format("{}segment {}: {}", row.reason.empty() ? "" : "; ", s + 1,
+                                reason_of(chain.responses[s], pressure));
+    }
+    missing.push_back(std::move(row));
+  }
+  return missing;
 }
 
 std::string reach_summary(const ChainResponse& chain, std::span<const Segment> segments) {

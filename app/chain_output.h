@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "app/number_rows.h"
 #include "model/chain.h"
@@ -18,6 +19,9 @@ NumberRows tip_rows(const ChainResponse& chain, std::span<const Segment> segment
 /// One row a point of the centre line, 20 steps a segment: case number, pressures, distance from
 /// the base along the rest chain, place.
 NumberRows centre_line_rows(const ChainResponse& chain, std::span<const Segment> segments);
+
+/// The cases that have no equilibrium, with the segments that have none and why.
+std::vector<MissingRow> missing_cases(const ChainResponse& chain);
 
 /// "121 of 121 cases; the tip is 0 to 24.1 mm off the base's axis and 200 to 262 mm above it".
 std::string reach_summary(const ChainResponse& chain, std::span<const Segment> segments);

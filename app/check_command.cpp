@@ -54,15 +54,18 @@ ExitStatus run_check(const CheckArguments& arguments, const Console& console) {
     console.error("check takes one design at a time, beside any number of mesh files");
     return ExitStatus::invalid;
   }
+  if (!arguments.settings.empty() &&
+      std::all_of(arguments.files.begin(), arguments.files.end(), mesh_format_of)) {
+    console.error("--set puts values into a design, and there is none among the files");
+    return ExitStatus::invalid;
+  }
   Checked checked;
   for (const std::filesystem::path& file : arguments.files) {
     if (mesh_format_of(file)) {
       check_mesh(file, console, checked);
       continue;
     }
-    const auto materials = load_materials(arguments.materials, console);
-    if (!materials) return ExitStatus::invalid;
-    const auto design = load_design(file, *materials, console);
+    const auto design = load_design({file, arguments.settings, arguments.materials}, console);
     if (!design) return ExitStatus::invalid;
     checked.design = design->name;
     add(check_design(*design), checked);

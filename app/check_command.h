@@ -14,8 +14,9 @@ namespace latticast {
 
 struct CheckArguments {
   std::vector<std::filesystem::path> files;  ///< mesh files, and at most one design
-  std::optional<std::filesystem::path> materials;
-  std::string format = "table";  ///< table or json
+  std::vector<std::string> settings = {};    ///< of the design
+  std::filesystem::path materials = {};
+  std::string format = {};  ///< json, otherwise a table
 };
 
 /// latticast check: what will go wrong before plastic and silicone are spent. Files with the

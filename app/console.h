@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Data goes to standard output; progress and messages go to standard error.
+// Data goes to standard output; progress and messages go to standard error. Characters that would
+// move a terminal or hide text are shown as \u001b.
 #pragma once
 
 #include <cstdio>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/design_input.h"
 
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -9,16 +8,16 @@
 
 #include "design/issue.h"
 #include "design/mesh_format.h"
-#include "design/read_design.h"
+#include "design/read_text_file.h"
+#include "design/setting/setting.h"
 
 namespace latticast {
 namespace {
 
-void report(const std::vector<Issue>& issues, const std::filesystem::path& file,
-            const Console& console) {
-  for (const Issue& issue : issues) console.error(describe(issue, file.string()));
+void report(const std::vector<Issue>& issues, const std::string& file, const Console& console) {
+  for (const Issue& issue : issues) console.error(describe(issue, file));
   console.note(fmt::format("{} problem{} in {}; nothing was done", issues.size(),
-                           issues.size() == 1 ? "" : "s", file.string()));
+                           issues.size() == 1 ? "" : "s", file));
 }
 
 // What is wrong with the format of a file that should hold a design; empty where nothing is.
@@ -40,40 +39,41 @@ bool may_be_no_design(const std::filesystem::path& file, const std::vector<Issue
 }
 
 // No text has a zero byte.
-bool is_binary(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string start(512, ' ');
-  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return start.find('\0') != std::string::npos;
+bool is_binary(std::string_view text) {
+  return text.substr(0, 512).find('\0') != std::string_view::npos;
 }
 
 }  // namespace
 
-std::optional<MaterialLibrary> load_materials(const std::optional<std::filesystem::path>& file,
+std::optional<MaterialLibrary> load_materials(const std::filesystem::path& file,
                                               const Console& console) {
   MaterialLibrary materials = built_in_materials();
-  if (!file) return materials;
-  const std::vector<Issue> issues = add_materials_file(*file, materials);
+  if (file.empty()) return materials;
+  const std::vector<Issue> issues = add_materials_file(file, materials);
   if (issues.empty()) return materials;
-  report(issues, *file, console);
+  report(issues, file.string(), console);
   return std::nullopt;
 }
 
-std::optional<Design> load_design(const std::filesystem::path& file,
-                                  const MaterialLibrary& materials, const Console& console) {
-  if (const std::string problem = format_problem(file); !problem.empty()) {
-    console.error(fmt::format("{}: {}", file.string(), problem));
+std::optional<Design> load_design(const DesignInput& input, const Console& console) {
+  const auto materials = load_materials(input.materials, console);
+  if (!materials) return std::nullopt;
+  const bool is_piped = input.file == "-";
+  const std::string name = is_piped ? "standard input" : input.file.string();
+  if (const std::string problem = format_problem(input.file); !problem.empty()) {
+    console.error(fmt::format("{}: {}", name, problem));
     return std::nullopt;
   }
-  ReadResult result = read_design_file(file, materials);
+  const std::string text = is_piped ? read_standard_input() : read_text_file(input.file);
+  ReadResult result = read_design_with(text, input.settings, *materials);
   if (result.ok()) return std::move(result.design);
-  if (may_be_no_design(file, result.issues)) {
+  if (may_be_no_design(input.file, result.issues)) {
     console.error(
         fmt::format("{}: is no design, which is TOML, and no mesh that is read: those end in {}",
-                    file.string(), mesh_suffixes()));
-    if (is_binary(file)) return std::nullopt;
+                    name, mesh_suffixes()));
+    if (is_binary(text)) return std::nullopt;
   }
-  report(result.issues, file, console);
+  report(result.issues, name, console);
   return std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "app/answer_json.h"
 #include "design/text/written_number.h"
 #include "design/unsupported_design.h"
 #include "model/prediction.h"
@@ -75,14 +76,24 @@ KindComparison compare_kinds(const Design& design, const std::vector<double>& pr
     for (std::size_t i = 0; i < pressures.size(); ++i) {
       std::vector<double> row = {static_cast<double>(s + 1), pressures[i]};
       bool has_all = true;
+      MissingRow missing{{{"segment", row[0]}, {"pressure_kPa", row[1]}}, {}};
       for (const KindPrediction& one : predictions) {
         const auto& state = one.prediction.segments[s].response.states[i];
         has_all = has_all && state.has_value();
-        if (!state) continue;
+        if (!state) {
+          missing.reason +=
+              fmt::format("{}{}: {}", missing.reason.empty() ? "" : "; ", one.kind->name,
+                          reason_of(one.prediction.segments[s].response, pressures[i]));
+          continue;
+        }
         row.insert(row.end(), {state->stretch, twist_deg(*state, design.segments[s]),
                                bend_deg(*state, design.segments[s])});
       }
-      if (has_all) result.numbers.rows.push_back(std::move(row));
+      if (has_all) {
+        result.numbers.rows.push_back(std::move(row));
+      } else {
+        result.numbers.missing.push_back(std::move(missing));
+      }
       result.complete = result.complete && has_all;
     }
   }

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which command runs, and what the exit status says.
-#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <fmt/core.h>
 
 #include "app/check_command.h"
 #include "app/command_line.h"
 #include "app/console.h"
+#include "app/design_input.h"
 #include "app/exit_status.h"
 #include "app/materials_command.h"
 #include "app/new_command.h"
@@ -18,7 +17,6 @@
 #include "app/standard_streams.h"
 #include "design/file_error.h"
 #include "design/joined.h"
-#include "design/nearest_name.h"
 #include "design/unsupported_design.h"
 #if LATTICAST_HAS_PREDICT
 #include "app/predict_command.h"
@@ -40,9 +38,8 @@
 namespace latticast {
 namespace {
 
-std::optional<std::filesystem::path> materials_path(const CommandLine& typed) {
-  if (typed.materials_file.empty()) return std::nullopt;
-  return typed.materials_file;
+[[maybe_unused]] DesignInput design_input(const CommandLine& typed) {
+  return {typed.design, typed.settings, typed.materials_file};
 }
 
 [[maybe_unused]] ExitStatus left_out(const Console& console, std::string_view command,
@@ -56,19 +53,20 @@ std::optional<std::filesystem::path> materials_path(const CommandLine& typed) {
 
 ExitStatus run_command(const CommandLine& typed, const Console& console) {
   if (typed.command == "materials") {
-    return run_materials(typed.material, materials_path(typed), console);
+    return run_materials(typed.material, typed.materials_file, console);
   }
   if (typed.command == "new") return run_new(typed.kind, typed.new_file, console);
   if (typed.command == "check") {
-    return run_check({{typed.checked_files.begin(), typed.checked_files.end()},
-                      materials_path(typed),
-                      typed.check_format},
+    return run_check({{typed.files.begin(), typed.files.end()},
+                      typed.settings,
+                      typed.materials_file,
+                      typed.format},
                      console);
   }
   if (typed.command == "predict") {
 #if LATTICAST_HAS_PREDICT
-    return run_predict({typed.design, materials_path(typed), typed.pressure, typed.format,
-                        typed.hold, typed.shape, typed.kinds},
+    return run_predict({design_input(typed), typed.pressure, typed.format, typed.hold, typed.shape,
+                        typed.kinds, typed.times, typed.output},
                        console);
 #else
     return left_out(console, "predict", "LATTICAST_PREDICT", "SUNDIALS");
@@ -76,11 +74,11 @@ ExitStatus run_command(const CommandLine& typed, const Console& console) {
   }
 #if LATTICAST_HAS_GEOMETRY
   if (typed.command == "audit") {
-    return run_audit({typed.mesh_files.begin(), typed.mesh_files.end()}, console);
+    return run_audit({typed.files.begin(), typed.files.end()}, console);
   }
-  return run_build({typed.design, materials_path(typed), typed.folder, typed.only, typed.dry_run,
-                    typed.force, typed.times},
-                   console);
+  return run_build(
+      {design_input(typed), typed.folder, typed.only, typed.dry_run, typed.force, typed.times},
+      console);
 #else
   return left_out(console, typed.command, "LATTICAST_GEOMETRY",
                   "CGAL, libpng, expat, libzip and tinygltf");
@@ -124,25 +122,9 @@ ExitStatus run_guarded(const CommandLine& typed, const Console& console) {
   }
 }
 
-// CLI11 only says that a command is missing; a mistyped one deserves the nearest name.
-std::optional<std::string> mistyped_command(int argc, char** argv) {
-  const std::vector<std::string> known{"build", "predict", "check", "audit", "materials", "new"};
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--materials") ++i;
-    if (word.starts_with("-")) continue;
-    if (std::find(known.begin(), known.end(), word) != known.end()) return std::nullopt;
-    return fmt::format("no command '{}': {}", word, name_hint(word, known, "commands"));
-  }
-  return std::nullopt;
-}
-
 int run_main(int argc, char** argv) {
-  if (const auto problem = mistyped_command(argc, argv)) {
-    Console().error(*problem);
-    return static_cast<int>(ExitStatus::invalid);
-  }
-  const CommandWords words{product_words(true), joined(new_kinds(), ", ")};
+  const CommandWords words{[] { return product_words(true); },
+                           [] { return joined(new_kinds(), ", "); }};
   const auto read = read_command_line(argc, argv, words);
   if (const auto* status = std::get_if<ExitStatus>(&read)) return static_cast<int>(*status);
   const auto& typed = std::get<CommandLine>(read);

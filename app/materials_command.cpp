@@ -34,8 +34,7 @@ std::string entry_text(const Material& material) {
 
 }  // namespace
 
-ExitStatus run_materials(const std::string& name,
-                         const std::optional<std::filesystem::path>& materials_file,
+ExitStatus run_materials(const std::string& name, const std::filesystem::path& materials_file,
                          const Console& console) {
   const auto library = load_materials(materials_file, console);
   if (!library) return ExitStatus::invalid;

@@ -12,8 +12,7 @@
 namespace latticast {
 
 /// latticast materials [NAME]: the library as a list, or one entry whole. Throws FileError.
-ExitStatus run_materials(const std::string& name,
-                         const std::optional<std::filesystem::path>& materials_file,
+ExitStatus run_materials(const std::string& name, const std::filesystem::path& materials_file,
                          const Console& console);
 
 }  // namespace latticast

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include "design/joined.h"
 
@@ -66,22 +65,6 @@ std::string rows_as_csv(const NumberRows& numbers) {
     text += "\n";
   }
   return text;
-}
-
-std::string rows_as_json(const NumberRows& numbers) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const std::vector<double>& row : numbers.rows) {
-    nlohmann::ordered_json object;
-    for (std::size_t i = 0; i < row.size(); ++i) object[numbers.columns[i]] = row[i];
-    list.push_back(std::move(object));
-  }
-  return list.dump(2) + "\n";
-}
-
-std::string rows_as(const std::string& format, const NumberRows& numbers) {
-  if (format == "csv") return rows_as_csv(numbers);
-  if (format == "json") return rows_as_json(numbers);
-  return rows_as_table(numbers);
 }
 
 }  // namespace latticast

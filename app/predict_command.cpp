@@ -6,12 +6,13 @@
 
 #include <fmt/core.h>
 
+#include "app/answer_json.h"
 #include "app/chain_output.h"
-#include "app/design_input.h"
 #include "app/kind_comparison.h"
 #include "app/prediction_output.h"
 #include "app/pressure_list.h"
 #include "app/tip_force_output.h"
+#include "files/atomic_file.h"
 #include "model/prediction.h"
 
 namespace latticast {
@@ -72,17 +73,39 @@ void note_known_bias(const Design& design, const Console& console) {
   if (reinforced && !bias.empty()) console.note(bias);
 }
 
+void deliver(const std::string& answer, const PredictArguments& arguments, const Console& console) {
+  if (arguments.output.empty() || arguments.output == "-") {
+    console.data(answer);
+    return;
+  }
+  write_file_atomically(arguments.output, answer);
+  console.note(fmt::format("wrote {}", arguments.output.string()));
+}
+
+void deliver_rows(const Design& design, std::string_view answer, const NumberRows& rows,
+                  const PredictArguments& arguments, const Console& console) {
+  deliver(arguments.format == "json"  ? rows_json(design, answer, rows)
+          : arguments.format == "csv" ? rows_as_csv(rows)
+                                      : rows_as_table(rows),
+          arguments, console);
+}
+
+std::string format_of(const std::filesystem::path& output) {
+  const std::string suffix = output.extension().string();
+  return suffix == ".csv" || suffix == ".json" ? suffix.substr(1) : "table";
+}
+
 ExitStatus predict_responses(const Design& design, const PredictArguments& arguments,
                              const std::vector<double>& pressures, const Console& console) {
   const Held held = held_coordinates(arguments.hold);
   const bool with_bands = arguments.format != "csv";
   const Prediction prediction = predict_design(design, pressures, held, with_bands);
   if (arguments.format == "csv") {
-    console.data(prediction_csv(design, prediction, held));
+    deliver(prediction_csv(design, prediction, held, arguments.times), arguments, console);
   } else if (arguments.format == "json") {
-    console.data(prediction_json(design, prediction, held));
+    deliver(response_json(design, prediction, held, arguments.times), arguments, console);
   } else {
-    console.data(prediction_table(design, prediction, held));
+    deliver(prediction_table(design, prediction, held), arguments, console);
     note_known_bias(design, console);
   }
   for (std::size_t s = 0; s < prediction.segments.size(); ++s) {
@@ -95,9 +118,10 @@ ExitStatus predict_shapes(const Design& design, const PredictArguments& argument
                           const std::vector<double>& pressures, const Console& console) {
   const ChainResponse chain =
       predict_chain(design.segments, design.model, asked_cases(design, pressures));
-  console.data(rows_as(arguments.format, arguments.shape == "tip"
-                                             ? tip_rows(chain, design.segments)
-                                             : centre_line_rows(chain, design.segments)));
+  NumberRows rows = arguments.shape == "tip" ? tip_rows(chain, design.segments)
+                                             : centre_line_rows(chain, design.segments);
+  rows.missing = missing_cases(chain);
+  deliver_rows(design, arguments.shape, rows, arguments, console);
   bool complete = true;
   for (std::size_t s = 0; s < chain.responses.size(); ++s) {
     add_messages(chain.responses[s], s, console);
@@ -110,7 +134,7 @@ ExitStatus predict_shapes(const Design& design, const PredictArguments& argument
 ExitStatus predict_blocked_tip(const Design& design, const PredictArguments& arguments,
                                const std::vector<double>& pressures, const Console& console) {
   const TipForceAnswer answer = predict_tip_forces(design, pressures);
-  console.data(rows_as(arguments.format, answer.numbers));
+  deliver_rows(design, "tip-force", answer.numbers, arguments, console);
   if (answer.complete) return ExitStatus::done;
   console.error(
       "some pressures have no row: the free segment has no stable equilibrium there (latticast "
@@ -122,7 +146,7 @@ ExitStatus predict_by_kinds(const Design& design, const PredictArguments& argume
                             const std::vector<double>& pressures, const Console& console) {
   const KindComparison comparison =
       compare_kinds(design, pressures, held_coordinates(arguments.hold));
-  console.data(rows_as(arguments.format, comparison.numbers));
+  deliver_rows(design, "kinds", comparison.numbers, arguments, console);
   for (const std::string& note : comparison.notes) console.note(note);
   if (comparison.complete) return ExitStatus::done;
   console.error("some pressures have no row: not every kind has a state there");
@@ -149,13 +173,13 @@ bool holds_tip(const PredictArguments& arguments) {
 
 }  // namespace
 
-ExitStatus run_predict(const PredictArguments& arguments, const Console& console) {
+ExitStatus run_predict(const PredictArguments& asked, const Console& console) {
+  PredictArguments arguments = asked;
+  if (arguments.format.empty()) arguments.format = format_of(arguments.output);
   const bool blocked_tip = holds_tip(arguments);
-  const auto materials = load_materials(arguments.materials, console);
-  if (!materials) return ExitStatus::invalid;
   std::vector<double> pressures;
-  if (!arguments.pressure.empty()) pressures = parse_pressures_kpa(arguments.pressure);
-  const auto design = load_design(arguments.design, *materials, console);
+  if (arguments.pressure) pressures = parse_pressures_kpa(*arguments.pressure);
+  const auto design = load_design(arguments.design, console);
   if (!design) return ExitStatus::invalid;
   if (blocked_tip) return predict_blocked_tip(*design, arguments, pressures, console);
   if (!arguments.shape.empty()) return predict_shapes(*design, arguments, pressures, console);

@@ -8,18 +8,20 @@
 #include <vector>
 
 #include "app/console.h"
+#include "app/design_input.h"
 #include "app/exit_status.h"
 
 namespace latticast {
 
 struct PredictArguments {
-  std::filesystem::path design;
-  std::optional<std::filesystem::path> materials;
-  std::string pressure;           ///< as typed; empty: the design's load
-  std::string format = "table";   ///< table, csv or json
-  std::vector<std::string> hold;  ///< twist, bend, stretch; or tip alone
-  std::string shape;              ///< tip or centre-line; empty: the segments' responses
-  bool kinds = false;             ///< all kinds of the model side by side
+  DesignInput design;
+  std::optional<std::string> pressure;  ///< as typed; without it the design's load
+  std::string format = "table";         ///< table, csv or json
+  std::vector<std::string> hold;        ///< twist, bend, stretch; or tip alone
+  std::string shape;                    ///< tip or centre-line; empty: the segments' responses
+  bool kinds = false;                   ///< all kinds of the model side by side
+  bool times = false;                   ///< the time of each solution, in CSV and JSON
+  std::filesystem::path output;         ///< file for the answer; empty or "-": standard output
 };
 
 /// latticast predict: the response of every segment. Throws FileError, UnsupportedDesign,

@@ -104,7 +104,8 @@ void design_file_to_audited_stl(benchmark::State& state, const Size& size) {
   std::FILE* nowhere = std::fopen("/dev/null", "w");
   const Console console(true, nowhere);
   for (auto run : state) {
-    if (run_build({design, {}, folder, {}, false, false, false}, console) != ExitStatus::done) {
+    if (run_build({{design, {}, {}}, folder, {}, false, false, false}, console) !=
+        ExitStatus::done) {
       state.SkipWithError("the build failed");
     }
   }

@@ -81,6 +81,7 @@ struct Segment {
   double length_mm = 0;
   Liner liner;
   std::optional<Lattice> lattice;  ///< absent: a bare tube
+  std::string name = {};           ///< for people and paths; empty without one
 
   double inner_radius_mm() const { return liner.inner_radius_mm; }
   double liner_outer_radius_mm() const { return liner.inner_radius_mm + liner.thickness_mm; }
@@ -94,7 +95,10 @@ struct Segment {
   /// 2 pi R_c, the period of the unrolled plane. Precondition: the segment has a lattice.
   double lattice_circumference_mm() const { return 2 * std::numbers::pi * lattice_mid_radius_mm(); }
 
-  friend bool operator==(const Segment&, const Segment&) = default;
+  /// The same tube, whatever its name.
+  friend bool operator==(const Segment& a, const Segment& b) {
+    return a.length_mm == b.length_mm && a.liner == b.liner && a.lattice == b.lattice;
+  }
 };
 
 /// One pressure per segment.

@@ -6,6 +6,7 @@ namespace latticast {
 std::string describe(const Issue& issue, std::string_view file) {
   std::string text(file);
   if (issue.line > 0) text += ':' + std::to_string(issue.line);
+  if (issue.line == Issue::set_by_path) text += " as set";
   text += ": ";
   if (!issue.key.empty()) {
     text += issue.key;

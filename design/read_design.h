@@ -9,6 +9,7 @@
 #include "design/design.h"
 #include "design/issue.h"
 #include "design/material_library.h"
+#include "design/toml_text.h"
 
 namespace latticast {
 
@@ -29,6 +30,9 @@ struct ReadResult {
 /// finite and within limits, every grid has one width per strand, strands of one family and rings
 /// leave gaps, every load case has one pressure per segment, liner laws suit the column model.
 ReadResult read_design(std::string_view toml_text, const MaterialLibrary& materials);
+
+/// The same for text that was parsed before, as read or with values put in their places.
+ReadResult read_design(const TomlText& parsed, const MaterialLibrary& materials);
 
 /// Reads a design file. Throws FileError when the file cannot be read.
 ReadResult read_design_file(const std::filesystem::path& file, const MaterialLibrary& materials);

@@ -6,6 +6,7 @@
 #include "design/check_lattice.h"
 #include "design/grid_widths.h"
 #include "design/read_material.h"
+#include "design/read_name.h"
 #include "design/read_strand_path.h"
 
 namespace latticast {
@@ -71,8 +72,10 @@ std::vector<double> read_widths(TableReader& table, const Field& width) {
   return std::vector<double>(strands.value_or(0), every_width);
 }
 
-Grid read_grid(TableReader table, const Segment& segment, ColumnModel columns) {
+Grid read_grid(TableReader table, const Segment& segment, ColumnModel columns,
+               std::vector<std::string>& names) {
   Grid grid;
+  read_entry_name(table.may("name"), names);
   const Field angle = table.need("angle", "angle = 36");
   const Field width = table.need("width", "width = 2");
   grid.angle_deg = angle.number(limits::grid_angle);
@@ -114,8 +117,9 @@ void read_lattice(TableReader table, const MaterialLibrary& library, ColumnModel
   }
   const Field grid = table.may("grid");
   constexpr std::string_view grid_hint = "start each family with a line [[segment.lattice.grid]]";
+  std::vector<std::string> names;
   for (const Field& item : grid.items(1, limits::families, grid_hint)) {
-    lattice.grids.push_back(read_grid(item.as_table(grid_hint), segment, columns));
+    lattice.grids.push_back(read_grid(item.as_table(grid_hint), segment, columns, names));
   }
   table.refuse_unknown_keys();
   if (table.present() && !rings.present() && !grid.present()) {
@@ -126,8 +130,10 @@ void read_lattice(TableReader table, const MaterialLibrary& library, ColumnModel
   check_crossings(segment, table.table());
 }
 
-Segment read_segment(TableReader table, const MaterialLibrary& library, ColumnModel columns) {
+Segment read_segment(TableReader table, const MaterialLibrary& library, ColumnModel columns,
+                     std::vector<std::string>& names) {
   Segment segment;
+  segment.name = read_entry_name(table.may("name"), names);
   segment.length_mm = table.need("length", "length = 85").number(limits::length);
   const Field liner = table.need("liner", "a line [segment.liner], with its keys below");
   const Field lattice = table.may("lattice");
@@ -145,8 +151,9 @@ Segment read_segment(TableReader table, const MaterialLibrary& library, ColumnMo
 std::vector<Segment> read_segments(const Field& field, const MaterialLibrary& library,
                                    ColumnModel columns) {
   std::vector<Segment> segments;
+  std::vector<std::string> names;
   for (const Field& item : field.items(1, limits::segments, segment_hint)) {
-    segments.push_back(read_segment(item.as_table(segment_hint), library, columns));
+    segments.push_back(read_segment(item.as_table(segment_hint), library, columns, names));
   }
   return segments;
 }

@@ -10,4 +10,7 @@ namespace latticast {
 /// to refuse the file without holding all of it. Throws FileError when the file cannot be read.
 std::string read_text_file(const std::filesystem::path& file);
 
+/// The same for standard input.
+std::string read_standard_input();
+
 }  // namespace latticast

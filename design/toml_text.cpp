@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include "design/limits.h"
+#include "design/text/printable.h"
 #include "design/text/written_number.h"
 
 namespace latticast {
@@ -118,22 +119,14 @@ TomlValue copy(const toml::node& node) {
   return value;
 }
 
-/// Escapes what would break a line or a terminal, and cuts what is too long to read.
-std::string printable(std::string_view text, std::size_t longest) {
-  std::string out;
-  std::size_t taken = 0;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    // Bytes 10xxxxxx continue a character: a cut before one would leave half of it.
-    if (taken >= longest && (byte & 0xC0) != 0x80) return out + "...";
-    ++taken;
-    if (byte < 0x20 || byte == 0x7F) {
-      out += fmt::format("\\u{:04x}", byte);
-    } else {
-      out += c;
-    }
+/// Cuts what is too long to read, and escapes what would break a line or a terminal.
+std::string shown(std::string_view text, std::size_t longest) {
+  if (text.size() <= longest) return printable(text);
+  // Bytes 10xxxxxx continue a character: a cut before one would leave half of it.
+  while (longest < text.size() && (static_cast<unsigned char>(text[longest]) & 0xC0) == 0x80) {
+    ++longest;
   }
-  return out;
+  return printable(text.substr(0, longest)) + (longest < text.size() ? "..." : "");
 }
 
 std::string toml_string(std::string_view text) {
@@ -143,7 +136,7 @@ std::string toml_string(std::string_view text) {
     if (c == '"' || c == '\\') escaped += '\\';
     escaped += c;
   }
-  return '"' + printable(escaped, longest_shown) + '"';
+  return '"' + shown(escaped, longest_shown) + '"';
 }
 
 std::string written_list(const TomlValue::List& list) {
@@ -181,7 +174,7 @@ TomlText parse_toml(std::string_view text) {
   } catch (const toml::parse_error& error) {
     const int line = static_cast<int>(error.source().begin.line);
     const std::string rule =
-        fmt::format("the text must be valid TOML, but: {}", printable(error.description(), 300));
+        fmt::format("the text must be valid TOML, but: {}", shown(error.description(), 300));
     const char* hint =
         "mend this first; the rest of the file is read only once its syntax is right";
     return {{}, {whole_file_issue(line, rule, hint)}};

@@ -97,7 +97,29 @@ expect 3 "$program" predict "$design" --pressure 0:200:50
 err_says "limit point (ballooning) at 104."
 says "no equilibrium"
 expect 0 "$program" predict "$design" --format json --pressure 5,10
-says '"requested_kPa"'
+says '"schema_version": 1'
+holds test "$(grep -c time_us "$work/out")" -eq 0
+expect 0 "$program" predict "$design" --format json --pressure 5 --times
+says '"time_us"'
+expect 0 "$program" predict "$design" --format csv --pressure 5 --times
+holds awk -F, 'NR == 2 && !($15 > 0) { exit 1 }' "$work/out"
+# Every answer as its schema says, those of pressures without equilibrium too.
+"$program" -q predict "$design" --pressure 0:200:50 -o response.json 2>/dev/null
+"$program" -q predict chain.toml --shape tip --pressure 10,500 -o tip.json 2>/dev/null
+"$program" -q predict chain.toml --shape centre-line --pressure 10 -o line.json
+"$program" -q predict "$source_tree/examples/bending/bending.toml" --hold tip --pressure 10,500 -o force.json 2>/dev/null
+"$program" -q predict "$design" --kinds --pressure 10,500 -o kinds.json 2>/dev/null
+holds test "$(grep -c '"reason": "' response.json tip.json force.json kinds.json | tr '\n' ' ')" = \
+  "response.json:7 tip.json:1 force.json:1 kinds.json:1 "
+python3 "$source_tree/tests/end_to_end/validate_json.py" "$source_tree/docs/prediction.schema.json" \
+  response.json tip.json line.json force.json kinds.json >"$work/out" 2>"$work/err"
+status=$?
+out=$(<"$work/out") err=$(<"$work/err") last=validate_json.py
+if [[ $status -eq 77 || $status -eq 127 ]]; then
+  skip "the JSON Schema, without python3-jsonschema"
+else
+  holds test "$status" -eq 0
+fi
 expect 2 "$program" predict "$design" --pressure 0:60
 err_says "FROM:TO:STEP"
 expect 2 "$program" predict "$design" --pressure 0:60:-5
@@ -190,7 +212,58 @@ says "stretch"
 expect 2 "$program" bild
 err_says "did you mean build"
 expect 2 "$program"
+err_says "latticast predict twisting.toml"
 expect 2 "$program" build
+err_says "design is required"
+expect 2 "$program" predict "$design" --presure 3
+err_says "no option '--presure': did you mean --pressure?"
+expect 2 "$program" predict "$design" twice.toml
+err_says "'twice.toml' is one word too many"
+for option in --pressure -o --set --materials --shape --format; do
+  expect 2 "$program" predict "$design" $option ""
+  err_says "$option"
+done
+expect 0 "$program" help
+says "predict"
+for command in build predict check audit materials new; do
+  expect 0 "$program" help $command
+  says "Example"
+  says "latticast $command "
+  first=$out
+  expect 0 "$program" $command --help
+  holds test "$out" = "$first"
+done
+expect 2 "$program" help bild
+err_says "did you mean build"
+expect 0 "$program" -V
+says "latticast "
+
+# A design from standard input, an answer into a file.
+"$program" -q predict - --pressure 10 <"$design" >piped.txt
+expect 0 "$program" -q predict "$design" --pressure 10
+holds test "$out" = "$(<piped.txt)"
+expect 0 "$program" predict "$design" --pressure 10 -o answer.csv
+holds test -z "$out"
+holds test "$(head -c 8 answer.csv)" = "segment,"
+expect 4 "$program" predict "$design" --pressure 10 -o missing/answer.csv
+"$program" -q check - <"$design" >"$work/out" && out=$(<"$work/out")
+says "0 errors"
+
+# Values in place of the design's, by name too; what a path does not find is told.
+sed 's/^length = 85/length = 85\nname = "tip"/' "$design" >named.toml
+expect 0 "$program" predict named.toml --set segment.tip.length=90 --set segment[0].liner.thickness=3 --pressure 10
+says "segment 1 (tip): 90 mm"
+expect 0 "$program" build named.toml --set segment.tip.length=60 -o set --only liner
+expect 0 "$program" check named.toml --set segment.tip.length=60
+expect 2 "$program" predict named.toml --set segment.tpi.length=90 --set segment.0.lenght=90 --pressure 10
+err_says "named.toml as set: segment.tpi.length=90: segment is a list, and none of its entries is named tpi. Did you mean tip?"
+err_says "named.toml as set: segment[0].lenght = 90: is not a known key. Did you mean length?"
+expect 2 "$program" check first/twisting-36-liner.stl --set segment.0.length=90
+err_says "there is none among the files"
+
+# Names that would move a terminal are shown, not obeyed.
+expect 4 "$program" audit $'a\e[2Jb\u202Ec.stl'
+err_says 'a\u001b[2Jb\u202ec.stl'
 expect 4 "$program" build missing.toml
 expect 0 "$program" --help
 says "predict"

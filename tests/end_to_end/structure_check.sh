@@ -23,6 +23,7 @@ numerics
 design/text
 design/material          design/text
 design                   design/material design/text
+design/setting           design
 files                    design
 geometry/mesh
 geometry/polygon         geometry/mesh

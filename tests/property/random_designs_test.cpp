@@ -47,7 +47,7 @@ class Devnull {
 Outcome build(const std::filesystem::path& design, const std::filesystem::path& folder) {
   const Devnull nowhere;
   BuildArguments arguments;
-  arguments.design = design;
+  arguments.design.file = design;
   arguments.folder = folder;
   arguments.force = true;  // whether a printer can make it is not asked here
   testing::internal::CaptureStderr();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/answer_json.h"
 #include "app/audit_output.h"
 #include "app/check_output.h"
 #include "app/number_rows.h"
@@ -161,10 +162,9 @@ TEST(NumberRows, AlignColumnsAndKeepNumbersExact) {
   const NumberRows rows{{"case", "tip_mm"}, {{1, 0.1}, {12, -1e-9}}};
   EXPECT_EQ(rows_as_table(rows), "case  tip_mm\n   1   0.100\n  12   0.000\n");
   EXPECT_EQ(rows_as_csv(rows), "case,tip_mm\n1,0.1\n12,-1e-09\n");
-  const auto read = nlohmann::json::parse(rows_as_json(rows));
-  EXPECT_EQ(read[0]["case"], 1);
-  EXPECT_EQ(read[1]["tip_mm"], -1e-9);
-  EXPECT_EQ(rows_as("csv", rows), rows_as_csv(rows));
+  const auto read = nlohmann::json::parse(rows_json(Design(), "tip", rows));
+  EXPECT_EQ(read["rows"][0]["case"], 1);
+  EXPECT_EQ(read["rows"][1]["tip_mm"], -1e-9);
 }
 
 }  // namespace

@@ -160,8 +160,7 @@ TEST(Build, DrawsUnitesPreparesAndSolvesOncePerArgument) {
   std::FILE* nowhere = std::fopen("/dev/null", "w");
   ASSERT_NE(nowhere, nullptr);
   const ExitStatus status =
-      run_build({.design = LATTICAST_SOURCE_DIR "/tests/end_to_end/everything.toml",
-                 .materials = {},
+      run_build({.design = {LATTICAST_SOURCE_DIR "/tests/end_to_end/everything.toml", {}, {}},
                  .folder = folder,
                  .only = {}},
                 Console(true, nowhere));

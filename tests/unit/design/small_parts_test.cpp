@@ -8,6 +8,7 @@
 #include "design/issue.h"
 #include "design/nearest_name.h"
 #include "design/pressure_sweep.h"
+#include "design/text/printable.h"
 
 namespace latticast {
 namespace {
@@ -51,6 +52,27 @@ TEST(GradedWidths, FewStrands) {
     EXPECT_EQ(graded_widths_mm(2, 4, profile, 1), std::vector<double>{2});
     EXPECT_EQ(graded_widths_mm(2, 4, profile, 2), (std::vector<double>{2, 4}));
   }
+}
+
+TEST(Printable, EscapesWhatWouldMoveATerminalOrHide) {
+  EXPECT_EQ(printable("plain \u00e9\u4e2d\U0001F600 text"), "plain \u00e9\u4e2d\U0001F600 text");
+  EXPECT_EQ(printable("a\x1b[2Jb\n"), "a\\u001b[2Jb\\u000a");
+  EXPECT_EQ(printable("a\nb\x1b", "\n"), "a\nb\\u001b");
+  EXPECT_EQ(printable("\x7f\u0085"), "\\u007f\\u0085");
+  EXPECT_EQ(printable("a\u202Etxt.exe\u2066b\uFEFF\u200B"),
+            "a\\u202etxt.exe\\u2066b\\ufeff\\u200b");
+  EXPECT_EQ(printable(std::string_view("\0", 1)), "\\u0000");
+  // Half a character, and bytes that begin none.
+  EXPECT_EQ(printable("a\xE2\x80"), "a\xE2\x80");
+  EXPECT_EQ(printable("\xC2"), "\xC2");
+  EXPECT_EQ(printable("\xFF\x9F"), "\xFF\x9F");
+}
+
+TEST(Printable, TellsControlFromHidden) {
+  EXPECT_EQ(first_unprintable("tube-36 \u00e4"), Unprintable::none);
+  EXPECT_EQ(first_unprintable("a\tb"), Unprintable::control);
+  EXPECT_EQ(first_unprintable("a\u0090b"), Unprintable::control);
+  EXPECT_EQ(first_unprintable("a\u2069b\n"), Unprintable::hidden);
 }
 
 TEST(EditDistance, KnownValues) {
