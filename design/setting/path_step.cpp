@@ -28,10 +28,11 @@ class PathParser {
 
   ParsedPath parse() {
     do {
-      if (!take_step())
+      if (!take_step()) {
         return fail(
-            "a step is missing, or is no key: quote what has other signs "
-            "than letters, digits, _ and -");
+            "a step is missing, or is no key: quote what has other signs than letters, digits, _ "
+            "and -");
+      }
       while (at_end_of("[")) {
         if (!take_bracket()) return fail("an entry of a list is written [0], counted from 0");
       }
