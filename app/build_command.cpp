@@ -8,6 +8,7 @@
 #include "app/build_checks.h"
 #include "app/builder.h"
 #include "app/interrupt.h"
+#include "app/mesh_plan.h"
 #include "app/plan.h"
 #include "app/products.h"
 #include "files/staging_folder.h"
@@ -25,6 +26,10 @@ ExitStatus run_build(const BuildArguments& arguments, const Console& console) {
   for (const std::string& line : missing) console.error(line);
   if (!missing.empty()) return ExitStatus::invalid;
   if (runs_any(plan, &Product::draws_lattice)) require_drawable(design->segments);
+  PreparedDesign prepared(*design);
+  const MeshPlan meshes = plan_meshes(prepared, plan);
+  if (arguments.dry_run) console.data(describe(meshes));
+  require_possible(meshes, design->output.tolerance_mm);
   if (arguments.dry_run) return ExitStatus::done;
   const auto runs = [&](const Product& product) { return plan.runs(product.stage); };
   if (std::none_of(products().begin(), products().end(), runs)) {
@@ -33,7 +38,6 @@ ExitStatus run_build(const BuildArguments& arguments, const Console& console) {
   }
   clear_left_overs(arguments.folder);
   watch_for_interrupt();
-  PreparedDesign prepared(*design);
   const CheckFindings findings = checks_before_build(prepared, plan);
   if (!may_build(findings, arguments.force, console)) return ExitStatus::check_failed;
   try {

@@ -37,6 +37,11 @@ void prove(const std::string& file, const Solid& solid, const Audit& result) {
 
 }  // namespace
 
+std::string part_name(const Design& design, std::size_t segment, std::string_view part) {
+  if (design.segments.size() == 1) return fmt::format("{}-{}", design.name, part);
+  return fmt::format("{}-segment-{}-{}", design.name, segment + 1, part);
+}
+
 Delivery::Delivery(const Design& design, const std::filesystem::path& folder,
                    const Console& console)
     : design_(design), console_(console), progress_(console), staging_(folder) {}
@@ -46,8 +51,7 @@ void Delivery::expect_meshes(std::size_t count) {
 }
 
 std::string Delivery::part_name(std::size_t segment, std::string_view part) const {
-  if (design_.segments.size() == 1) return fmt::format("{}-{}", design_.name, part);
-  return fmt::format("{}-segment-{}-{}", design_.name, segment + 1, part);
+  return latticast::part_name(design_, segment, part);
 }
 
 bool Delivery::writes(MeshFormat format) const {

@@ -24,6 +24,9 @@ struct Design;
 struct Material;
 struct Solid;
 
+/// "NAME-part", with the segment's number between where there are several.
+std::string part_name(const Design& design, std::size_t segment, std::string_view part);
+
 /// A mesh to be delivered, and what a report says of it.
 struct Part {
   std::string stem;  ///< of its files
@@ -70,7 +73,7 @@ class Delivery {
   /// More meshes to come: each is drawn, then written and proved in every format.
   void expect_meshes(std::size_t count);
 
-  /// "NAME-part", with the segment's number between where there are several.
+  /// part_name() of the design that is built.
   std::string part_name(std::size_t segment, std::string_view part) const;
   bool writes(MeshFormat format) const;
 

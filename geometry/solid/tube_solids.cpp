@@ -9,8 +9,10 @@
 
 #include "geometry/pattern/pattern.h"
 #include "geometry/solid/arrangement.h"
+#include "geometry/solid/cutting.h"
 #include "geometry/solid/geometry_error.h"
 #include "geometry/solid/lattice_drawing.h"
+#include "geometry/solid/mesh_size.h"
 #include "geometry/solid/region.h"
 #include "geometry/solid/relief.h"
 #include "geometry/solid/self_intersection.h"
@@ -19,7 +21,6 @@
 namespace latticast {
 namespace {
 
-constexpr double most_triangles = 20e6;
 constexpr double coarser = 4;  // grid steps where arcs graze other outlines
 
 using Unite = std::function<Region(const PlaneGrid&, std::span<const std::int32_t> cuts)>;
@@ -36,54 +37,18 @@ struct Layer {
   bool has_curves = false;
 };
 
-// How finely a solid must be cut so that it stays within the tolerance, now and when it is
-// deformed.
-struct Cutting {
-  int sectors = 0;
-  std::vector<std::int32_t> heights;
-};
-
-// The chord around a sector of a twisted mesh has an angle around the tube of its own and one from
-// the twist over a cut's height, and its ends are not pushed outwards: either angle may be half of
-// the one whose sagitta, r D^2/8, is the tolerance.
-int sectors_of(const Segment& segment, const SolidOptions& options, double facets_mm) {
-  const double radius = segment.outer_radius_mm();
-  int sectors = sectors_for(radius, facets_mm);
-  if (options.twist_rad_per_mm != 0 || options.stretch_radius != 1) {
-    const double grown = radius * std::max(1.0, options.stretch_radius);
-    const double share = options.twist_rad_per_mm != 0 ? 0.5 : 1.0;
-    const double angle = share * std::sqrt(8 * options.tolerance_mm / grown);
-    sectors = std::max(sectors, static_cast<int>(std::ceil(2 * std::numbers::pi / angle)));
-  }
-  return sectors;
-}
-
-Cutting cutting(const Segment& segment, const SolidOptions& options, const PlaneGrid& grid) {
-  Cutting cut{grid.sectors, {}};
-  const double turn = std::abs(options.twist_rad_per_mm) * segment.length_mm;
-  const double bands = std::ceil(turn / grid.sector_angle_rad());
+std::vector<std::int32_t> cut_heights(const Segment& segment, const SolidOptions& options,
+                                      const PlaneGrid& grid) {
+  const double bands = bands_of(segment, options, grid.sectors);
   if (bands > grid.length_steps / 16.0) {
     throw GeometryError("the preview twists so far that it would need " + std::to_string(bands) +
                         " cuts along the tube; use a coarser tolerance");
   }
+  std::vector<std::int32_t> heights;
   for (int i = 1; i < bands; ++i) {
-    cut.heights.push_back(static_cast<std::int32_t>(std::lround(i * (grid.length_steps / bands))));
+    heights.push_back(static_cast<std::int32_t>(std::lround(i * (grid.length_steps / bands))));
   }
-  return cut;
-}
-
-// A helix is steepest at the smallest radius: its rise stays, its way around shrinks.
-double steepest_slant(const Segment& segment) {
-  if (has_curved_outlines(*segment.lattice)) return 1;
-  const double shrunk = segment.liner_outer_radius_mm() / segment.lattice_mid_radius_mm();
-  double steepest = 0;
-  for (const Grid& grid : segment.lattice->grids) {
-    if (grid.angle_deg == 90) continue;
-    const double angle = grid.angle_rad();
-    const double rise = std::sin(angle);
-    steepest = std::max(steepest, rise / std::hypot(rise, shrunk * std::cos(angle)));
-  }
-  return steepest;
+  return heights;
 }
 
 void check_widths(const Layer& layer, const PlaneGrid& grid) {
@@ -124,8 +89,7 @@ LaidOut lay_out(const Segment& segment, const SolidOptions& options, const Layer
                                          sectors_of(segment, options, layer.budget.facets_mm),
                                          fineness.step_mm, options.start_z_mm);
   check_widths(layer, grid);
-  const Cutting cut = cutting(segment, options, grid);
-  Region region = layer.united(grid, cut.heights);
+  Region region = layer.united(grid, cut_heights(segment, options, grid));
   const double tolerance = layer.budget.walls_mm / fineness.levels;
   Relief relief{triangulate(region),
                 {wall_radii(layer.floor_mm, layer.ceiling_mm, grid.sector_angle_rad(),
@@ -200,9 +164,8 @@ Solid lattice_solid(const Segment& segment, const SolidOptions& options) {
 Solid lattice_solid(LatticeDrawing& drawing, const SolidOptions& options) {
   const Segment& segment = drawing.segment();
   const Lattice& lattice = *segment.lattice;
-  const double growth = std::max({1.0, options.stretch_radius, options.stretch});
-  const bool twisted = options.twist_rad_per_mm != 0 && !lattice.grids.empty();
-  const ToleranceBudget budget = lattice_budget(segment, options.tolerance_mm, growth, twisted);
+  const LatticeCutting cutting = lattice_cutting(segment, options);
+  const ToleranceBudget& budget = cutting.budget;
   const auto united = [&](const PlaneGrid& grid, std::span<const std::int32_t> cuts) {
     return drawing.united(budget.drawing_mm, grid, cuts, budget.closing_mm);
   };
@@ -212,7 +175,7 @@ Solid lattice_solid(LatticeDrawing& drawing, const SolidOptions& options) {
                      .floor_mm = segment.liner_outer_radius_mm(),
                      .ceiling_mm = segment.outer_radius_mm(),
                      .budget = budget,
-                     .steepness = twisted ? 1 : steepest_slant(segment),
+                     .steepness = cutting.steepness,
                      .thinnest_strand_mm = thinnest_strand_mm(lattice),
                      .has_curves = has_curved_outlines(lattice)});
 }

@@ -50,6 +50,19 @@ says "skip  lattice-mold   [make] does not name lattice_mold"
 says "run   report         [make] names report"
 says "skip  liner-mold     [make] does not name liner_mold"
 holds test ! -e planned
+says "mesh  twisting-36-preview-lattice: 3 x about 61000 triangles"
+says "MB of memory"
+expect 0 "$program" build "$design" --dry-run --set make.preview.pressures=[5000]
+says "size not known: preview at 5000 kPa"
+# What is too large is refused at once, with a tolerance that fits.
+expect 2 "$program" build "$design" -o planned --set export.tolerance=0.00001
+err_says "twisting-36-preview-lattice would have about"
+err_says "million triangles, and a mesh may have 20 million"
+fitting=$(grep -o '[0-9.]* mm fits' <<<"$err" | cut -d' ' -f1)
+expect 0 "$program" build "$design" --dry-run --set "export.tolerance=$fitting"
+expect 2 "$program" build "$source_tree/examples/molds/bending_molds.toml" --force -o planned --set export.tolerance=0.00001
+err_says "bending-lattice-mold would have about"
+holds test ! -e planned
 expect 0 "$program" build "$design" --dry-run --only lattice
 says "skip  prediction     nothing that is made needs a deformed shape"
 says "skip  liner          left out by --only"
