@@ -51,12 +51,12 @@ double turn(const PlanePoint& a, const PlanePoint& b) {
 double crossings(const Segment& segment) {
   const Lattice& lattice = *segment.lattice;
   const double around = segment.lattice_circumference_mm();
+  const std::size_t rings =
+      lattice.rings ? ring_centres_mm(*lattice.rings, segment.length_mm).size() : 0;
   double count = 0;
   for (std::size_t i = 0; i < lattice.grids.size(); ++i) {
     const Grid& grid = lattice.grids[i];
-    if (lattice.rings)
-      count += static_cast<double>(ring_centres_mm(*lattice.rings, segment.length_mm).size()) *
-               grid.count();
+    count += static_cast<double>(rings) * grid.count();
     for (std::size_t j = 0; j < i; ++j) {
       const Grid& other = lattice.grids[j];
       const double apart =
