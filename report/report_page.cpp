@@ -55,6 +55,7 @@ std::string_view text_of_place(std::string_view name, const PageAssets& assets,
   if (name == "style") return assets.style;
   if (name == "script") return assets.script;
   if (name == "viewer") return assets.viewer;
+  if (name == "policy") return assets.policy;
   return {};
 }
 

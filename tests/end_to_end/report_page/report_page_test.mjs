@@ -2,6 +2,7 @@
 // report_page_test.mjs FILE [--screenshots FOLDER]: opens a report.html in Chromium and checks what it shows and does.
 // What is expected is read from the data in the file, so that any report can be given.
 
+import { createHash } from "node:crypto";
 import { mkdirSync, mkdtempSync, rmSync, statSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
@@ -124,9 +125,31 @@ async function check_damaged(browser, data, work) {
   });
 }
 
-/** @returns {string} the page as a build without npm writes it: its last script is empty */
+/** @returns {string} the page as a build without npm writes it: its last script is empty, and its policy knows that one */
 function without_bundle(html) {
-  return `${html.slice(0, html.lastIndexOf("<script>"))}<script>\n\n</script>\n</body>\n</html>\n`;
+  const hash = createHash("sha256").update("\n\n").digest("base64");
+  const policy = html.match(/script-src ([^;]*);/)[1].split(" ");
+  return `${html.slice(0, html.lastIndexOf("<script>"))}<script>\n\n</script>\n</body>\n</html>\n`.replace(
+    policy.at(-1),
+    `'sha256-${hash}'`,
+  );
+}
+
+/** Whatever gets into the page beside its own scripts does not run. */
+async function check_policy(browser, data, work) {
+  await check("foreign scripts do not run", async () => {
+    const policy = data.html.match(/script-src ([^;]*);/)[1].split(" ");
+    assert.ok(policy.length >= 3 && policy.every((source) => /^'sha256-[A-Za-z0-9+/]{43}='$/.test(source)), policy.join(" "));
+    const file = join(work, "foreign.html");
+    const foreign = '<script>window.foreign = 1</script><img src="data:," onerror="window.foreign = 2">';
+    writeFileSync(file, data.html.replace("<main", `${foreign}<main`));
+    const { page, said } = await open(browser, file);
+    await page.evaluate(() => document.querySelector("#name").setAttribute("onclick", "window.foreign = 3"));
+    await page.locator("#name").click();
+    assert.equal(await page.evaluate(() => window.foreign), undefined);
+    assert.ok(said.some((line) => line.includes("Content Security Policy")), "nothing was refused");
+    await page.close();
+  });
 }
 
 async function screenshots(browser, file, data, folder) {
@@ -163,6 +186,7 @@ async function main([given, option, folder]) {
     await check_dark(browser, file);
     await check_phone(browser, file);
     await check_damaged(browser, data, work);
+    await check_policy(browser, data, work);
     const bare = join(work, "bare.html");
     writeFileSync(bare, without_bundle(data.html));
     await check_without_view(
