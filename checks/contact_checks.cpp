@@ -9,6 +9,7 @@
 #include "checks/strand_stations.h"
 #include "design/text/written_number.h"
 #include "design/units.h"
+#include "design/unsupported_design.h"
 #include "geometry/pattern/rings.h"
 #include "geometry/pattern/strand_path.h"
 #include "model/shape/inflated_wall.h"
@@ -83,7 +84,7 @@ void check_gaps(const LoadedSegment& loaded, CheckFindings& findings) {
     const Grid& grid = lattice.grids[i];
     if (grid.count() < 2 && !is_curved(grid.path)) continue;
     check_gap(
-        loaded, fmt::format("grid {}", i),
+        loaded, grid_name(i),
         [&](const State& state) { return strand_gap_mm(segment, grid, state); }, findings);
   }
 }

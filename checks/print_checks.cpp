@@ -16,6 +16,7 @@
 #include "checks/strand_checks.h"
 #include "design/text/written_number.h"
 #include "design/units.h"
+#include "design/unsupported_design.h"
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/pattern/strand_path.h"
 #include "geometry/solid/geometry_error.h"
@@ -68,7 +69,7 @@ void check_overhang(const Segment& segment, int number, const FreePrinting& free
     if (!clearly_below(slope, free.least_slope_deg)) continue;
     CheckFinding finding = check_finding("overhang");
     finding.segment = number;
-    finding.part = fmt::format("grid {}", g);
+    finding.part = grid_name(g);
     finding.value = slope;
     finding.limit = free.least_slope_deg;
     finding.unit = "degrees";

@@ -13,6 +13,7 @@
 #include "design/material/drucker.h"
 #include "design/text/written_number.h"
 #include "design/units.h"
+#include "design/unsupported_design.h"
 #include "model/shape/inflated_wall.h"
 #include "model/strand/links.h"
 
@@ -170,7 +171,7 @@ void check_strands(const LoadedSegment& loaded, CheckFindings& findings) {
   for (std::size_t i = 0; i < segment.lattice->grids.size(); ++i) {
     const Grid& grid = segment.lattice->grids[i];
     check_material(
-        loaded, material, codes, fmt::format("grid {}", i),
+        loaded, material, codes, grid_name(i),
         [&](const State& state) {
           return is_curved(grid.path) ? fibre_strain(segment, grid, state)
                                       : straight_strain(segment, grid, state);
@@ -183,8 +184,7 @@ void check_strands(const LoadedSegment& loaded, CheckFindings& findings) {
 /// inextensible strips lie along the tube, or at which curved strands are straight.
 std::optional<Measure> lock_use(const Segment& segment, std::size_t index) {
   const Grid& grid = segment.lattice->grids[index];
-  Measure measure{
-      "fibre-lock", fmt::format("grid {}", index), "of the way", largest_lock_use, true, {}};
+  Measure measure{"fibre-lock", grid_name(index), "of the way", largest_lock_use, true, {}};
   if (is_curved(grid.path)) {
     measure.value = [&segment, &grid](const State& state) {
       double largest = 0;

@@ -9,6 +9,7 @@
 
 #include "design/text/written_number.h"
 #include "design/units.h"
+#include "design/unsupported_design.h"
 #include "geometry/pattern/rings.h"
 #include "geometry/pattern/strand_path.h"
 
@@ -132,9 +133,10 @@ class StrandChecks {
     const double width = least_width_mm(segment_, grid, *thinnest);
     if (!clearly_below(width, use_.least_strand_mm)) return;
     const auto strand = thinnest - grid.widths_mm.begin();
-    CheckFinding finding = finding_at("strand-too-thin", number_,
-                                      use_.part(fmt::format("grid {} strand {}", g, strand)), width,
-                                      use_.least_strand_mm);
+    CheckFinding finding =
+        finding_at("strand-too-thin", number_,
+                   use_.part(fmt::format("{} strand {}", grid_name(g), strand + 1)), width,
+                   use_.least_strand_mm);
     finding.place = CheckPlace{360.0 * static_cast<double>(strand) / grid.count(), 0};
     finding.message = fmt::format("{} {} mm wide at its inner radius; the printer's {} is {} mm",
                                   use_.grooved ? "its groove is" : "is", written(width, 4),
@@ -162,11 +164,11 @@ class StrandChecks {
 
   void add_close_strands(const Grid& grid, std::size_t g, int strand, double gap) {
     const int next = (strand + 1) % grid.count();
-    CheckFinding finding =
-        finding_at("gap-too-small", number_, use_.part(fmt::format("grid {} strand {}", g, strand)),
-                   gap, use_.least_between_mm);
+    CheckFinding finding = finding_at(
+        "gap-too-small", number_, use_.part(fmt::format("{} strand {}", grid_name(g), strand + 1)),
+        gap, use_.least_between_mm);
     finding.place = CheckPlace{360.0 * (strand + 0.5) / grid.count(), 0};
-    finding.message = between_message(fmt::format("strands {} and {}", strand, next), gap,
+    finding.message = between_message(fmt::format("strands {} and {}", strand + 1, next + 1), gap,
                                       " at the inner radius");
     finding.remedy = wider_gap(grid);
     add_gap(std::move(finding));

@@ -11,6 +11,7 @@
 
 #include "design/text/written_number.h"
 #include "design/units.h"
+#include "design/unsupported_design.h"
 #include "geometry/pattern/rings.h"
 #include "geometry/pattern/strand_path.h"
 #include "model/segment_response.h"
@@ -32,7 +33,7 @@ void check_angles(const LoadedSegment& loaded, CheckFindings& findings) {
     if (!clearly_below(from_circumference, least_angle_deg)) continue;
     CheckFinding finding = check_finding("angle-out-of-range");
     finding.segment = loaded.number;
-    finding.part = fmt::format("grid {}", i);
+    finding.part = grid_name(i);
     finding.value = grids[i].angle_deg;
     finding.limit = grids[i].angle_deg < 90 ? least_angle_deg : 180 - least_angle_deg;
     finding.unit = "degrees";
@@ -107,7 +108,7 @@ void check_ring_places(const LoadedSegment& loaded, CheckFindings& findings) {
     if (!in_step(rings)) continue;
     CheckFinding finding = ring_finding(rings);
     finding.segment = loaded.number;
-    finding.part = fmt::format("grid {}", i);
+    finding.part = grid_name(i);
     findings.push_back(std::move(finding));
   }
 }

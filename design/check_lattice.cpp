@@ -87,7 +87,7 @@ void check_strand_gaps(const Grid& grid, const Segment& segment, const Field& wi
     if (needed >= share) {
       width.refuse(fmt::format("neighbouring strands must not touch, but strands {} and {} need "
                                "{} mm between their middles and have {} mm",
-                               j, next, written(needed, 6), written(share, 6)),
+                               j + 1, next + 1, written(needed, 6), written(share, 6)),
                    "use fewer or narrower strands");
       return;
     }

@@ -6,6 +6,7 @@
 #include "design/built_in_materials.h"
 #include "design/read_material.h"
 #include "design/read_text_file.h"
+#include "design/text/printable.h"
 
 namespace latticast {
 namespace {
@@ -13,6 +14,10 @@ namespace {
 void check_entry_name(const std::string& name, const Field& entry) {
   if (name.empty() || name.size() > limits::name_bytes) {
     entry.refuse("a material's name must have from 1 to 100 bytes", "choose another name");
+  }
+  if (first_unprintable(name) != Unprintable::none) {
+    entry.refuse("a material's name must not hold control characters or such as cannot be seen",
+                 "choose another name");
   }
   if (name == "inline") {
     entry.refuse("\"inline\" is what a material without a name is called", "choose another name");

@@ -13,9 +13,9 @@ struct UnsupportedDesign : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// How messages name a segment's grid.
+/// How messages name a segment's grid: from 1, the index from 0.
 inline std::string grid_name(std::size_t index) {
-  return "grid " + std::to_string(index);
+  return "grid " + std::to_string(index + 1);
 }
 
 }  // namespace latticast

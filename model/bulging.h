@@ -32,7 +32,7 @@ double cap_pressure_mpa(const WallPatch& patch, double height_mm);
 
 /// The bulge of one kind of gap.
 struct Bulge {
-  std::string members;   ///< "rings", or "grid 0": what holds the wall on both sides of the gap
+  std::string members;   ///< "rings", or "grid 1": what holds the wall on both sides of the gap
   double gap_mm = 0;     ///< clear distance now, the widest of them; 0: closed
   double load_mpa = 0;   ///< contact pressure that the members take off the wall, on average; the
                          ///< wall in the gap lacks it

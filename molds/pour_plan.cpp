@@ -7,6 +7,7 @@
 
 #include <fmt/core.h>
 
+#include "design/text/printable.h"
 #include "design/text/written_number.h"
 #include "design/units.h"
 #include "molds/print_size.h"
@@ -38,6 +39,24 @@ std::string numbered(const std::vector<std::string>& steps) {
   return text;
 }
 
+// A material's words are its author's: none of them becomes markup, HTML or a line of its own.
+std::string as_plain_text(std::string_view words) {
+  std::string text;
+  for (const char c : words) {
+    if (c == '<') {
+      text += "&lt;";
+    } else if (c == '&') {
+      text += "&amp;";
+    } else if (c == '\n' || c == '\r' || c == '\t') {
+      text += ' ';
+    } else {
+      if (std::string_view("\\`*_{}[]()>#+!|~").find(c) != std::string_view::npos) text += '\\';
+      text += c;
+    }
+  }
+  return printable(text);
+}
+
 std::string bill(const Casting& casting) {
   std::string text =
       "## Pieces\n\nSizes as they are printed, standing on their end, the cap on its outer face, "
@@ -56,8 +75,9 @@ std::string bill(const Casting& casting) {
 
 std::string amounts(const Casting& casting, const PourAllowance& allowance) {
   const PourAmount amount = pour_amount(casting.mold.cavity_mm3, casting.material, allowance);
-  std::string text = fmt::format("\n## Rubber\n\n{}: the cavity holds {:.1f} ml. Mix {:.1f} ml",
-                                 casting.material.name, amount.cavity_ml, amount.mixed_ml);
+  std::string text =
+      fmt::format("\n## Rubber\n\n{}: the cavity holds {:.1f} ml. Mix {:.1f} ml",
+                  as_plain_text(casting.material.name), amount.cavity_ml, amount.mixed_ml);
   if (amount.mixed_g) {
     text += fmt::format(", {:.1f} g at {} g/cm3", *amount.mixed_g,
                         written(*casting.material.density_g_per_cm3, 4));
@@ -65,6 +85,9 @@ std::string amounts(const Casting& casting, const PourAllowance& allowance) {
   text += fmt::format(", which is {:.0f} % more and {} ml that stay in the cup.",
                       100 * allowance.waste_share, written(allowance.residue_ml, 3));
   if (!amount.mixed_g) text += " The material's density is not known: measure by volume.";
+  if (!casting.material.note.empty()) {
+    text += fmt::format("\n\nThe library says of it: {}", as_plain_text(casting.material.note));
+  }
   return text + "\n";
 }
 

@@ -14,7 +14,8 @@ struct PageAssets {
   std::string_view script;  ///< the page's plain scripts, one after the other
   std::string_view
       viewer;  ///< the bundled 3-D view with its library's licence; empty when left out
-  std::string_view policy;  ///< hashes of the page's scripts, as its Content-Security-Policy has them
+  std::string_view
+      policy;  ///< hashes of the page's scripts, as its Content-Security-Policy has them
 };
 
 PageAssets page_assets();

@@ -25,7 +25,7 @@ std::string widths_text(const Grid& grid) {
 
 std::string family_text(const Grid& grid, std::size_t index) {
   std::string text =
-      fmt::format("grid {}: {} at {} degrees from the circumference, {}", index,
+      fmt::format("grid {}: {} at {} degrees from the circumference, {}", index + 1,
                   grid.count() == 1 ? "one strand" : fmt::format("{} strands", grid.count()),
                   written(grid.angle_deg, 6), widths_text(grid));
   const std::string path = describe(grid.path).text;

@@ -50,7 +50,7 @@ class Family {
  private:
   void add(int strand, const std::string& problem) {
     lines_.push_back(fmt::format("{}: strand {} of {} (at {:.1f} degrees around the tube): {}",
-                                 key_, strand, grid_.count(), 360.0 * strand / grid_.count(),
+                                 key_, strand + 1, grid_.count(), 360.0 * strand / grid_.count(),
                                  problem));
   }
 
@@ -71,7 +71,7 @@ class Family {
     if (const auto fewer = fewer_strands(strand_, grid_.count(), circumference_, needed)) {
       remedy = fmt::format("count {}, or ", *fewer) + remedy;
     }
-    add(strand, fmt::format("overlaps strand {} by {} mm; {} would leave a gap", next,
+    add(strand, fmt::format("overlaps strand {} by {} mm; {} would leave a gap", next + 1,
                             written(needed - distance_, 3), remedy));
   }
 

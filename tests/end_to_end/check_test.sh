@@ -14,7 +14,7 @@ fixtures=$source_tree/tests/checks
 # Designs: an error is status 1, less is 0.
 expect 1 "$program" check "$fixtures/gap-too-small/rejected.toml"
 says "error gap-too-small"
-says "segment 1, grid 0 strand 7, theta 337.5 degrees"
+says "segment 1, grid 1 strand 8, theta 337.5 degrees"
 says "remedy: count = 7"
 says "1 error, 0 warnings"
 expect 0 "$program" check "$fixtures/gap-too-small/accepted.toml"
@@ -33,7 +33,7 @@ expect 4 "$program" check absent.toml
 
 # A build is checked first, as far as its parts need it, and refused on an error.
 expect 1 "$program" build "$fixtures/gap-too-small/rejected.toml" -o refused
-err_says "error: gap-too-small: segment 1, grid 0 strand 7"
+err_says "error: gap-too-small: segment 1, grid 1 strand 8"
 err_says "remedy: count = 7"
 err_says "--force"
 holds test ! -e refused

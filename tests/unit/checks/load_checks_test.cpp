@@ -155,7 +155,7 @@ TEST(LoadChecks, SeeAnArcTouchTheNextButOne) {
   const CheckFindings findings = check(segment, {-60});
   const CheckFinding* finding = find(findings, "strands-touch-inflated");
   ASSERT_NE(finding, nullptr);
-  EXPECT_EQ(finding->part, "grid 0");
+  EXPECT_EQ(finding->part, "grid 1");
   const double at = *finding->pressure_kpa;
   EXPECT_LT(at, 0);
   EXPECT_EQ(find(check(segment, {0.98 * at}), "strands-touch-inflated"), nullptr);
@@ -248,7 +248,7 @@ TEST(LoadChecks, NameThePlaceOfRingsInStepWithTheWaves) {
         check(ringed_columns(place.pitch_in_waves * wave, place.phase), {20});
     const CheckFinding* finding = find(findings, "rings-in-step");
     ASSERT_NE(finding, nullptr);
-    EXPECT_EQ(finding->part, "grid 0");
+    EXPECT_EQ(finding->part, "grid 1");
     EXPECT_NE(finding->message.find(place.text), std::string::npos) << finding->message;
   }
   EXPECT_EQ(find(check(ringed_columns(1.25 * wave, 0.5), {20}), "rings-in-step"), nullptr);

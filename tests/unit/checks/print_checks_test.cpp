@@ -203,7 +203,7 @@ TEST(PrintChecks, LimitsChangePlacesInAMold) {
   const CheckFinding groove = only(design, "strand-too-thin");
   EXPECT_EQ(groove.limit, 0.65);
   EXPECT_NE(groove.message.find("groove"), std::string::npos);
-  EXPECT_EQ(groove.part, "lattice-mold grid 0 strand 0");
+  EXPECT_EQ(groove.part, "lattice-mold grid 1 strand 1");
   design.make.lattice = true;
   EXPECT_EQ(with_code(findings_in_print(design), "strand-too-thin").size(), 2U);
   design.make.lattice = false;

@@ -188,7 +188,7 @@ const BadDesign of_lattices[] = {
     // Two of three strands need (40 + 40)/2 of a share of 30.7 mm although the three fill only
     // 0.87.
     {"NeighboursTouch", "width = [1, 1.5, 2]", "width = [40, 0.1, 40]",
-     "segment[0].lattice.grid[1].width", "neighbouring strands must not touch, but strands 2 and 0",
+     "segment[0].lattice.grid[1].width", "neighbouring strands must not touch, but strands 3 and 1",
      ""},
     {"HorseshoeRadiusZero", "radius = 2.656", "radius = 0",
      "segment[1].lattice.grid[0].horseshoe.radius", "0.001", ""},

@@ -50,6 +50,19 @@ TEST(PourAmount, AddsWasteAndResidue) {
   EXPECT_DOUBLE_EQ(pour_amount(20000, material, {0.5, 0}).mixed_ml, 30);
 }
 
+TEST(PourProcedure, TakesAMaterialsWordsAsText) {
+  Segment segment = tube();
+  segment.liner.material.name = "ecoflex *00-50* | <b>";
+  segment.liner.material.note =
+      "stiff\n# Pour\n[data](https://example.org) <script>alert(1)</script> & \x1b[2J\u202E `x`";
+  const std::string text = procedure(segment, {}, Process::fdm);
+  EXPECT_TRUE(holds(text, "ecoflex \\*00-50\\* \\| &lt;b\\>: the cavity holds"));
+  EXPECT_TRUE(holds(text,
+                    "says of it: stiff \\# Pour \\[data\\]\\(https://example.org\\) "
+                    "&lt;script\\>alert\\(1\\)&lt;/script\\> &amp; \\u001b\\[2J\\u202e "
+                    "\\`x\\`\n"));
+}
+
 TEST(DemoldingOrder, FreesOnePieceAfterTheOther) {
   LinerMoldOptions options;
   options.pieces = 3;

@@ -194,8 +194,8 @@ TEST(FlatDrawing, NotesNameRadiusAnglesAndWidths) {
   for (const std::string& line : drawing_notes(segment)) all += line + "\n";
   for (const char* part :
        {"radius 17 mm", "106.814 mm around", "rings: 2.5 mm",
-        "grid 0: 3 strands at 36 degrees from the circumference, 2 to 3 mm wide",
-        "grid 1: one strand at 90", "arcs of 170 degrees, radius 2.656 mm", "fillets: 0.5 mm"}) {
+        "grid 1: 3 strands at 36 degrees from the circumference, 2 to 3 mm wide",
+        "grid 2: one strand at 90", "arcs of 170 degrees, radius 2.656 mm", "fillets: 0.5 mm"}) {
     EXPECT_NE(all.find(part), std::string::npos) << part << "\n" << all;
   }
 }

@@ -68,7 +68,7 @@ TEST(DrawingProblems, RadiusThatDoesNotCloseIsNamedOnceWithTheNearestThatDoes) {
 TEST(DrawingProblems, StrandsThatFoldOverThemselvesGetARadius) {
   Segment segment = segment_with({85.0 / 320, 180, true}, {0.4, 0.6, 0.4});
   const std::string problem = only_problem(segment);
-  EXPECT_NE(problem.find("strand 1 of 3 (at 120.0 degrees"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("strand 2 of 3 (at 120.0 degrees"), std::string::npos) << problem;
   std::get<Horseshoe>(segment.lattice->grids[0].path).radius_mm =
       number_after(problem, "themselves: radius ");
   EXPECT_TRUE(drawing_problems(segment).empty());
@@ -101,7 +101,7 @@ TEST(DrawingProblems, NeighboursThatOverlapGetACountAndAWidth) {
   const double radius = 85.0 / 8;
   Segment segment = segment_with({radius, 180, true}, std::vector<double>(16, 2.5));
   const std::string problem = only_problem(segment);
-  EXPECT_NE(problem.find("strand 0 of 16 (at 0.0 degrees around the tube): overlaps strand 1"),
+  EXPECT_NE(problem.find("strand 1 of 16 (at 0.0 degrees around the tube): overlaps strand 2"),
             std::string::npos)
       << problem;
   Grid& grid = segment.lattice->grids[0];
@@ -121,7 +121,7 @@ TEST(DrawingProblems, WiderStrandsAreBlamedWhereTheyAre) {
   const std::vector<std::string> problems =
       drawing_problems(segment_with({radius, 180, true}, widths));
   ASSERT_EQ(problems.size(), 1U);
-  EXPECT_NE(problems[0].find("strand 4 of 12 (at 120.0 degrees"), std::string::npos) << problems[0];
+  EXPECT_NE(problems[0].find("strand 5 of 12 (at 120.0 degrees"), std::string::npos) << problems[0];
 }
 
 TEST(DrawingProblems, StrandsPartedByTheCutGetMoreArcs) {

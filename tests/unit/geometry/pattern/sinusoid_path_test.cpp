@@ -251,7 +251,7 @@ TEST(SinusoidPath, PartedStrandsAndOverlapsAreRefused) {
 
   const std::vector<std::string> overlap = drawing_problems(columns({4, 4}, 2, 60));
   ASSERT_EQ(overlap.size(), 1U);
-  EXPECT_NE(overlap[0].find("overlaps strand 1"), std::string::npos) << overlap[0];
+  EXPECT_NE(overlap[0].find("overlaps strand 2"), std::string::npos) << overlap[0];
   const int fewer = static_cast<int>(number_after(overlap[0], "count "));
   EXPECT_TRUE(drawing_problems(columns({4, 4}, 2, fewer)).empty());
   EXPECT_FALSE(drawing_problems(columns({4, 4}, 2, fewer + 1)).empty());

@@ -351,7 +351,7 @@ TEST(Section, WhatCannotBePredictedIsRefusedByName) {
   Segment horseshoe = paper_segment({36, 90});
   horseshoe.lattice->grids[1].path = Horseshoe{2.6, 180, true};
   EXPECT_EQ(refusal(horseshoe), "");
-  EXPECT_NE(refusal(horseshoe, mixture).find("grid 1 has horseshoe strands"), std::string::npos);
+  EXPECT_NE(refusal(horseshoe, mixture).find("grid 2 has horseshoe strands"), std::string::npos);
   std::get<Horseshoe>(horseshoe.lattice->grids[1].path).arc_deg = 5;
   EXPECT_NE(refusal(horseshoe).find("cannot be predicted"), std::string::npos);
 
