@@ -19,6 +19,7 @@ holds test "$(ls made)" = $'twisting-36-report.html\ntwisting-36-report.json\ntw
 expect 0 "$program" build design.toml -o again --only report
 holds cmp made/twisting-36-report.json again/twisting-36-report.json
 holds cmp made/twisting-36-response.csv again/twisting-36-response.csv
+holds cmp made/twisting-36-report.html again/twisting-36-report.html
 holds grep -q '"schema_version": 1' made/twisting-36-report.json
 holds grep -q '"stage": "liner-mold"' made/twisting-36-report.json
 holds test "$(grep -c '"seconds"' made/twisting-36-report.json)" -eq 0
