@@ -139,7 +139,8 @@ void describe_materials(CLI::App& materials, CommandLine& typed, const CommandWo
 
 void describe_new(CLI::App& fresh, CommandLine& typed, const CommandWords& words) {
   not_empty(fresh.add_option("kind", typed.kind, words.kinds()))->required()->type_name("");
-  not_empty(fresh.add_option("file", typed.new_file, "file to write (default: KIND.toml)"))
+  not_empty(fresh.add_option("file", typed.new_file,
+                             "file to write, - for standard output (default: KIND.toml)"))
       ->type_name("");
   fresh.footer("Example:\n  latticast new bending gripper.toml");
 }
@@ -266,6 +267,7 @@ std::variant<CommandLine, ExitStatus> read_command_line(int argc, char** argv,
   }
   if (arguments[0] == "help") {
     arguments.erase(arguments.begin());
+    if (!arguments.empty() && arguments[0] == "help") arguments.clear();
     arguments.emplace_back("--help");
   }
   const std::optional<std::string> word = command_word(arguments);

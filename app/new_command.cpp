@@ -140,6 +140,10 @@ std::string new_design(const std::string& name) {
 ExitStatus run_new(const std::string& kind, const std::filesystem::path& file,
                    const Console& console) {
   const std::string design = new_design(kind);
+  if (file == "-") {
+    console.data(design);
+    return ExitStatus::done;
+  }
   const std::filesystem::path path = file.empty() ? std::filesystem::path(kind + ".toml") : file;
   // Exclusive: a file that appears meanwhile is not overwritten either.
   std::FILE* stream = std::fopen(path.c_str(), "wx");

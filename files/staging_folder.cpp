@@ -21,6 +21,11 @@ namespace {
 using Path = std::filesystem::path;
 
 constexpr std::string_view prefix = ".latticast-";
+constexpr std::size_t random_letters = 6;  // of mkdtemp
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
 
 std::string system_words(int error) {
   return std::generic_category().message(error);
@@ -53,14 +58,25 @@ bool belongs_to_a_running_build(const Path& staging) {
   return held;
 }
 
+// As make_staging() names and fills them, or as versions without a lock did, by a number. Anything
+// else that is called so is not ours.
+bool looks_like_staging(const Path& folder) {
+  const std::string name = folder.filename().string();
+  if (!name.starts_with(prefix)) return false;
+  const std::string_view rest = std::string_view(name).substr(prefix.size());
+  if (!rest.empty() && std::all_of(rest.begin(), rest.end(), is_digit)) return true;
+  std::error_code ignored;
+  return rest.size() == random_letters && (std::filesystem::is_empty(folder, ignored) ||
+                                           std::filesystem::exists(folder / "lock", ignored));
+}
+
 std::vector<Path> staging_folders(const Path& folder) {
   std::vector<Path> found;
   std::error_code ignored;  // a folder that cannot be listed fails where it is written to
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
-    const bool named_so = entry.path().filename().string().starts_with(prefix);
-    if (named_so && entry.symlink_status(ignored).type() == std::filesystem::file_type::directory) {
-      found.push_back(entry.path());
-    }
+    const bool is_folder =
+        entry.symlink_status(ignored).type() == std::filesystem::file_type::directory;
+    if (is_folder && looks_like_staging(entry.path())) found.push_back(entry.path());
   }
   std::sort(found.begin(), found.end());
   return found;

@@ -246,6 +246,9 @@ for command in build predict check audit materials new; do
   expect 0 "$program" $command --help
   holds test "$out" = "$first"
 done
+expect 0 "$program" help help
+expect 2 "$program" --verison
+err_says "did you mean --version?"
 expect 2 "$program" help bild
 err_says "did you mean build"
 expect 0 "$program" -V
@@ -298,6 +301,8 @@ err_says "bending.toml: exists already"
 holds cmp bending.toml kept.toml
 expect 0 "$program" new twisting mine.toml
 holds cmp mine.toml twisting.toml
+expect 0 "$program" new twisting -
+holds test "$out" = "$(<twisting.toml)"
 expect 2 "$program" new twistin
 err_says "did you mean twisting?"
 expect 2 "$program" new

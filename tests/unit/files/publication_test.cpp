@@ -200,6 +200,19 @@ TEST(StagingFolders, OfARunningBuildStays) {
   EXPECT_EQ(bytes_of(folder / "b"), "new b");
 }
 
+TEST(StagingFolders, OfOthersStay) {
+  const TestFolder folder;
+  std::filesystem::create_directories(folder / ".latticast-1234");         // of an older version
+  std::filesystem::create_directories(folder / ".latticast-aB3dEf");       // killed before its lock
+  std::filesystem::create_directories(folder / ".latticast-config/mine");  // a user's
+  std::filesystem::create_directories(folder / "elsewhere");
+  std::filesystem::create_directory_symlink("elsewhere", folder / ".latticast-aB3dEg");
+  clear_left_overs(folder.path());
+  EXPECT_EQ(folder.names(),
+            (std::vector<std::string>{".latticast-aB3dEg", ".latticast-config", "elsewhere"}));
+  EXPECT_TRUE(std::filesystem::exists(folder / ".latticast-config/mine"));
+}
+
 TEST(StagingFolders, LeaveNoFolderThatTheyMade) {
   const TestFolder folder;
   { const StagingFolder staging(folder / "deep/er/and deeper"); }
