@@ -27,6 +27,7 @@ struct CommandLine {
   std::string format;
   std::vector<std::string> hold;
   bool kinds = false;
+  bool wall = false;
   std::string shape;
   std::string output;
   std::vector<std::string> files;  ///< that are checked or audited

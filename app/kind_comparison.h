@@ -11,8 +11,8 @@
 
 namespace latticast {
 
-/// Stretch, twist and bending of every segment by the layered section, the bonded section that a
-/// unit cell has calibrated, and the unit cell, a row a pressure at which all of them have a state.
+/// Stretch, twist and bending of every segment by each of compared_kinds that knows the design, a
+/// row a pressure at which all of them have a state.
 struct KindComparison {
   NumberRows numbers;
   std::vector<std::string> notes;  ///< "unit-cell: 0.61 s", or why a kind is left out

@@ -66,7 +66,7 @@ ExitStatus run_command(const CommandLine& typed, const Console& console) {
   if (typed.command == "predict") {
 #if LATTICAST_HAS_PREDICT
     return run_predict({design_input(typed), typed.pressure, typed.format, typed.hold, typed.shape,
-                        typed.kinds, typed.times, typed.output},
+                        typed.kinds, typed.wall, typed.times, typed.output},
                        console);
 #else
     return left_out(console, "predict", "LATTICAST_PREDICT", "SUNDIALS");

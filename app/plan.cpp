@@ -47,13 +47,9 @@ bool has_lattice(const Design& design) {
 }
 
 bool has_curved_strand(const Design& design) {
-  for (const Segment& segment : design.segments) {
-    if (!segment.lattice) continue;
-    for (const Grid& grid : segment.lattice->grids) {
-      if (is_curved(grid.path)) return true;
-    }
-  }
-  return false;
+  return std::any_of(design.segments.begin(), design.segments.end(), [](const Segment& segment) {
+    return segment.lattice && has_curved_strands(*segment.lattice);
+  });
 }
 
 // A single strand is uneven around the tube as well.

@@ -12,6 +12,7 @@
 #include "app/prediction_output.h"
 #include "app/pressure_list.h"
 #include "app/tip_force_output.h"
+#include "app/wall_output.h"
 #include "files/atomic_file.h"
 #include "model/prediction.h"
 
@@ -58,10 +59,7 @@ std::string_view known_bias(const ModelChoice& model, bool has_columns) {
 }
 
 bool has_columns(const Segment& segment) {
-  if (!segment.lattice) return false;
-  const auto& grids = segment.lattice->grids;
-  return std::any_of(grids.begin(), grids.end(),
-                     [](const Grid& grid) { return grid.count() > 0 && is_curved(grid.path); });
+  return segment.lattice && has_curved_strands(*segment.lattice);
 }
 
 void note_known_bias(const Design& design, const Console& console) {
@@ -153,6 +151,15 @@ ExitStatus predict_by_kinds(const Design& design, const PredictArguments& argume
   return ExitStatus::no_equilibrium;
 }
 
+ExitStatus predict_by_walls(const Design& design, const PredictArguments& arguments,
+                            const std::vector<double>& pressures, const Console& console) {
+  const NumberRows numbers = predict_walls(design, pressures);
+  deliver_rows(design, "wall", numbers, arguments, console);
+  if (numbers.missing.empty()) return ExitStatus::done;
+  console.error("some pressures have no row: latticast predict names why");
+  return ExitStatus::no_equilibrium;
+}
+
 bool holds_tip(const PredictArguments& arguments) {
   const std::vector<std::string>& held = arguments.hold;
   const bool tip = std::find(held.begin(), held.end(), "tip") != held.end();
@@ -161,9 +168,12 @@ bool holds_tip(const PredictArguments& arguments) {
         "--hold tip keeps the tip's place, the other words a coordinate of every section: ask for "
         "one after the other");
   }
-  if (arguments.kinds && (tip || !arguments.shape.empty())) {
+  if (arguments.kinds && (tip || arguments.wall || !arguments.shape.empty())) {
     throw std::invalid_argument(
-        "--kinds compares the responses of segments: leave --shape and --hold tip out");
+        "--kinds compares the responses of segments: leave --shape, --wall and --hold tip out");
+  }
+  if (arguments.wall && (!held.empty() || !arguments.shape.empty())) {
+    throw std::invalid_argument("--wall shows free segments: leave --shape and --hold out");
   }
   if (!held.empty() && !arguments.shape.empty()) {
     throw std::invalid_argument("--shape shows free actuators: leave --hold out");
@@ -183,6 +193,7 @@ ExitStatus run_predict(const PredictArguments& asked, const Console& console) {
   if (!design) return ExitStatus::invalid;
   if (blocked_tip) return predict_blocked_tip(*design, arguments, pressures, console);
   if (!arguments.shape.empty()) return predict_shapes(*design, arguments, pressures, console);
+  if (arguments.wall) return predict_by_walls(*design, arguments, pressures, console);
   if (arguments.kinds) return predict_by_kinds(*design, arguments, pressures, console);
   return predict_responses(*design, arguments, pressures, console);
 }

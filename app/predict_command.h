@@ -20,6 +20,7 @@ struct PredictArguments {
   std::vector<std::string> hold;        ///< twist, bend, stretch; or tip alone
   std::string shape;                    ///< tip or centre-line; empty: the segments' responses
   bool kinds = false;                   ///< all kinds of the model side by side
+  bool wall = false;                    ///< what a unit cell shows of the wall
   bool times = false;                   ///< the time of each solution, in CSV and JSON
   std::filesystem::path output;         ///< file for the answer; empty or "-": standard output
 };

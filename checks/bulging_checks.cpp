@@ -12,6 +12,7 @@
 #include "design/units.h"
 #include "geometry/pattern/rings.h"
 #include "model/bulging.h"
+#include "model/cell/cell_wall.h"
 #include "model/strand/links.h"
 
 namespace latticast {
@@ -80,6 +81,7 @@ bool add_ballooning(const LoadedSegment& loaded, Bulges& bulges, std::size_t kin
 void add_bulging(const LoadedSegment& loaded, Bulges& bulges, CheckFindings& findings) {
   const double thickness = loaded.segment->lattice->thickness_mm;
   const Measure measure{"liner-bulges", "liner", "mm", thickness, true, [&](const State& state) {
+                          if (const CellWall* wall = loaded.wall(state)) return wall->bulge_mm;
                           double height = 0;
                           for (const Bulge& bulge : bulges.at(state)) height += bulge.height_mm;
                           return height;
@@ -92,7 +94,9 @@ void add_bulging(const LoadedSegment& loaded, Bulges& bulges, CheckFindings& fin
       "{} mm, and the lattice is {} mm thick",
       written(beyond->from_kpa, 3), written(beyond->worst_kpa, 4), written(beyond->worst, 3),
       written(thickness, 3));
-  finding.remedy = remedy(*beyond, bulges.highest_at_kpa(beyond->worst_kpa).members);
+  const bool rings = loaded.segment->lattice->rings.has_value();
+  finding.remedy = remedy(*beyond, loaded.walls ? (rings ? "rings" : "strands")
+                                                : bulges.highest_at_kpa(beyond->worst_kpa).members);
   findings.push_back(std::move(finding));
 }
 
@@ -161,6 +165,8 @@ void check_bulging(const LoadedSegment& loaded, CheckFindings& findings) {
   const std::vector<const State*> states = loaded.states();
   if (!loaded.segment->lattice || states.empty()) return;
   Bulges bulges(loaded);
+  // In a unit cell the wall balloons by itself: its branch ends there.
+  if (loaded.walls) return add_bulging(loaded, bulges, findings);
   bool balloons = false;
   for (std::size_t kind = 0; kind < bulges.at(*states.back()).size(); ++kind) {
     const bool here = add_ballooning(loaded, bulges, kind, "liner-balloons", 1, findings);

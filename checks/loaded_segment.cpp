@@ -3,13 +3,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <variant>
 
 #include <fmt/core.h>
 
 #include "design/text/written_number.h"
+#include "model/cell/cell_wall.h"
 #include "model/segment_response.h"
 
 namespace latticast {
+
+/// Walls of a unit cell that have been looked at.
+class WallsByPressure {
+ public:
+  explicit WallsByPressure(const PreparedSegment& segment)
+      : section_(std::get<Section>(segment.section)), walls_(*segment.cell) {}
+
+  const CellWall* at(const State& state) {
+    const auto [found, is_new] = found_.try_emplace(state.pressure_kpa);
+    if (is_new) {
+      found->second = walls_.at(state.deformation(section_.inner_radius_mm, section_.axis_rad));
+    }
+    return found->second ? &*found->second : nullptr;
+  }
+
+ private:
+  const Section& section_;
+  CellWalls walls_;
+  std::map<double, std::optional<CellWall>> found_;
+};
+
 namespace {
 
 constexpr int steps_of_load = 8;
@@ -78,6 +102,10 @@ std::vector<const State*> LoadedSegment::states() const {
   return found;
 }
 
+const CellWall* LoadedSegment::wall(const State& state) const {
+  return walls ? walls->at(state) : nullptr;
+}
+
 const PreparedSegment& LoadedSegment::section() const {
   return responses->section(static_cast<std::size_t>(number) - 1);
 }
@@ -100,6 +128,7 @@ LoadedSegment load_segment(PreparedResponses& responses, std::size_t index) {
   if (most > 0) pressures.push_back(least_limit_margin * most);
   if (least < 0) pressures.push_back(least_limit_margin * least);
   loaded.response = responses.response(index, pressures);
+  if (loaded.section().cell) loaded.walls = std::make_shared<WallsByPressure>(loaded.section());
   return loaded;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,6 +20,9 @@ namespace latticast {
 /// margin on pressure, and an unnoticed scatter of the modulus moves a limit point in proportion.
 inline constexpr double least_limit_margin = 1.25;
 
+struct CellWall;
+class WallsByPressure;
+
 /// One segment over the load that the design asks of it: at every asked pressure, and at eight even
 /// steps from rest to the largest one and to the deepest suction. Of more than 64 asked pressures
 /// 64 are taken, the ends among them: the branch between them is the same.
@@ -29,7 +33,13 @@ struct LoadedSegment {
   std::vector<double> pressures_kpa;       ///< these, distinct, ascending
   Response response;                       ///< at those, then at the margin beyond either end
 
+  std::shared_ptr<WallsByPressure> walls;  ///< none without a unit cell
+
   const PreparedSegment& section() const;
+
+  /// The wall as the segment's unit cell has it in one of its states; null without a unit cell, or
+  /// where that cannot be followed.
+  const CellWall* wall(const State& state) const;
 
   /// The segment at other pressures.
   const Response& response_at(const std::vector<double>& other_kpa,

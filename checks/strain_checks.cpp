@@ -14,6 +14,7 @@
 #include "design/text/written_number.h"
 #include "design/units.h"
 #include "design/unsupported_design.h"
+#include "model/cell/cell_wall.h"
 #include "model/shape/inflated_wall.h"
 #include "model/strand/links.h"
 
@@ -62,7 +63,9 @@ double ring_strain(const Segment& segment, const State& state) {
 }
 
 /// The liner's largest principal stretch - 1; it lies at a face, on the lengthened side.
-double liner_strain(const Segment& segment, const State& state) {
+double liner_strain(const LoadedSegment& loaded, const State& state) {
+  if (const CellWall* wall = loaded.wall(state)) return wall->liner_strain;
+  const Segment& segment = *loaded.segment;
   const double side = lengthened_side_rad(state);
   double largest = 0;
   for (const double radius : {segment.inner_radius_mm(), segment.liner_outer_radius_mm()}) {
@@ -119,7 +122,7 @@ void check_material(const LoadedSegment& loaded, const Material& material,
 void check_law_stability(const LoadedSegment& loaded, CheckFindings& findings) {
   const Segment& segment = *loaded.segment;
   const Law& law = segment.liner.material.law;
-  const auto strain = [&](const State& state) { return liner_strain(segment, state); };
+  const auto strain = [&](const State& state) { return liner_strain(loaded, state); };
   double largest = 0;
   for (const State* state : loaded.states()) largest = std::max(largest, strain(*state));
   const auto loss = drucker_loss(law, 1 + largest);
@@ -143,7 +146,7 @@ void check_liner(const LoadedSegment& loaded, CheckFindings& findings) {
   const Material& material = segment.liner.material;
   check_material(
       loaded, material, {"liner-overstrained", "liner-law-exceeded"}, "liner",
-      [&](const State& state) { return liner_strain(segment, state); }, findings);
+      [&](const State& state) { return liner_strain(loaded, state); }, findings);
   check_law_stability(loaded, findings);
   if (std::isinf(first_invariant_limit(material.law))) return;
   const Measure use{
@@ -163,6 +166,16 @@ void check_strands(const LoadedSegment& loaded, CheckFindings& findings) {
   const Segment& segment = *loaded.segment;
   const Material& material = segment.lattice->material;
   constexpr std::array<std::string_view, 2> codes = {"strand-overstrained", "strand-law-exceeded"};
+  if (loaded.walls) {
+    check_material(
+        loaded, material, codes, "lattice",
+        [&](const State& state) {
+          const CellWall* wall = loaded.wall(state);
+          return wall != nullptr ? wall->lattice_strain : 0;
+        },
+        findings);
+    return;
+  }
   if (segment.lattice->rings) {
     check_material(
         loaded, material, codes, "rings",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "design/design.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace latticast {
@@ -16,6 +17,11 @@ double Rings::first_centre_mm() const {
 StrandDirection Grid::direction() const {
   const double from_axis = radians(90 - angle_deg);
   return {std::sin(from_axis), std::cos(from_axis)};
+}
+
+bool has_curved_strands(const Lattice& lattice) {
+  return std::any_of(lattice.grids.begin(), lattice.grids.end(),
+                     [](const Grid& grid) { return is_curved(grid.path); });
 }
 
 }  // namespace latticast

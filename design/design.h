@@ -13,6 +13,7 @@
 #include "design/mesh_format.h"
 #include "design/strand_path.h"
 #include "design/units.h"
+#include "design/wall_kind.h"
 
 namespace latticast {
 
@@ -76,6 +77,9 @@ struct Lattice {
   friend bool operator==(const Lattice&, const Lattice&) = default;
 };
 
+/// Whether any strand is other than straight.
+bool has_curved_strands(const Lattice& lattice);
+
 /// One length of tube with its own section and, in a load case, its own pressure.
 struct Segment {
   double length_mm = 0;
@@ -106,9 +110,6 @@ struct LoadCase {
   std::vector<double> pressures_kpa;
 };
 
-/// A wall in layers, its lattice a net of lines or plates bonded to the liner; a smeared wall; or
-/// the drawn lattice itself in a unit cell.
-enum class WallKind { layered, bonded, mixture, unit_cell };
 /// What of a bonded wall is set by a unit cell: nothing; its stiffness at rest; one state under
 /// pressure as well.
 enum class Calibrate { nothing, stiffness, state };

@@ -247,10 +247,6 @@ double read_cell_error(const Field& field, WallKind wall) {
 }  // namespace
 
 ModelChoice read_model(const Field& field) {
-  constexpr Word<WallKind> kinds[] = {{"layered", WallKind::layered},
-                                      {"mixture", WallKind::mixture},
-                                      {"bonded", WallKind::bonded},
-                                      {"unit-cell", WallKind::unit_cell}};
   constexpr Word<ColumnModel> columns[] = {{"distributed", ColumnModel::distributed},
                                            {"rods", ColumnModel::rods}};
   constexpr Word<JointModel> joints[] = {{"none", JointModel::none},
@@ -258,7 +254,7 @@ ModelChoice read_model(const Field& field) {
                                          {"clear-span", JointModel::clear_span}};
   TableReader table = field.as_table("start with a line [model]");
   ModelChoice model;
-  model.wall = table.may("kind").word_or(model.wall, kinds);
+  model.wall = table.may("kind").word_or(model.wall, std::span<const Word<WallKind>>(wall_kinds));
   model.calibrate = read_calibrate(table.may("calibrate"), model.wall);
   const Field columns_field = table.may("columns");
   model.columns = columns_field.word_or(model.columns, columns);

@@ -13,6 +13,7 @@
 #include "design/issue.h"
 #include "design/limits.h"
 #include "design/toml_text.h"
+#include "design/word.h"
 
 namespace latticast {
 
@@ -30,13 +31,6 @@ class Problems {
     Issue issue;
   };
   std::vector<Entry> entries_;
-};
-
-/// A word of the design file and what it stands for.
-template <class Meaning>
-struct Word {
-  std::string_view name;
-  Meaning meaning;
 };
 
 class TableReader;

@@ -87,13 +87,6 @@ void calibrate(FoundCell found, const Segment& segment, Calibrate what, Prepared
   prepared.calibration_doubt = calibration_doubt(segment);
 }
 
-bool has_curved_strands(const Segment& segment) {
-  if (!segment.lattice) return false;
-  const auto& grids = segment.lattice->grids;
-  return std::any_of(grids.begin(), grids.end(),
-                     [](const Grid& grid) { return grid.count() > 0 && is_curved(grid.path); });
-}
-
 /// Of curved strands bonding says nothing by itself: the layered section is what the cell corrects.
 void prepare_curved(const Segment& segment, ModelChoice model, const StrandLaws& known,
                     PreparedSegment& prepared) {
@@ -123,7 +116,7 @@ PreparedSegment prepare_segment(const Segment& segment, const ModelChoice& model
     return prepared;
   }
   const bool calibrated = model.wall == WallKind::bonded && model.calibrate != Calibrate::nothing;
-  if (calibrated && has_curved_strands(segment)) {
+  if (calibrated && segment.lattice && has_curved_strands(*segment.lattice)) {
     prepare_curved(segment, model, known, prepared);
     return prepared;
   }

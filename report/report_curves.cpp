@@ -56,6 +56,20 @@ ResponseCurve predict_curve(PreparedResponses& responses, std::size_t segment,
   return curve;
 }
 
+// Where a unit cell is worth its time to the user, so is what it is compared with.
+std::vector<KindPrediction> other_kinds(const Design& design) {
+  const WallKind own = design.model.wall;
+  std::vector<KindPrediction> others;
+  if (own != WallKind::unit_cell &&
+      (own != WallKind::bonded || design.model.calibrate == Calibrate::nothing)) {
+    return others;
+  }
+  for (const WallKind kind : compared_kinds) {
+    if (kind != own) others.push_back(predict_kind(design, kind, {}, {}));
+  }
+  return others;
+}
+
 }  // namespace
 
 std::vector<State> ResponseCurve::states() const {
@@ -72,6 +86,7 @@ ReportCurves predict_curves(PreparedResponses& responses) {
   for (std::size_t s = 0; s < design.segments.size(); ++s) {
     curves.segments.push_back(predict_curve(responses, s, segment_pressures_kpa(design, s, {})));
   }
+  curves.other_kinds = other_kinds(design);
   std::vector<LoadCase> cases = design.load;
   if (cases.size() > most_cases) {
     curves.cases_left_out = cases.size() - most_cases;

@@ -6,6 +6,7 @@
 
 #include "design/design.h"
 #include "model/chain.h"
+#include "model/kind_prediction.h"
 #include "model/prediction.h"
 
 namespace latticast {
@@ -25,8 +26,10 @@ struct ResponseCurve {
 
 struct ReportCurves {
   std::vector<ResponseCurve> segments;
-  ChainResponse chain;             ///< in the load's cases
-  std::size_t cases_left_out = 0;  ///< beyond the first 2000
+  std::vector<KindPrediction> other_kinds;  ///< of the asked pressures, where the design's own kind
+                                            ///< has a unit cell; else none
+  ChainResponse chain;                      ///< in the load's cases
+  std::size_t cases_left_out = 0;           ///< beyond the first 2000
 };
 
 /// Every segment over its load, with modulus bands, and the chain in its load cases.

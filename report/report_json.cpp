@@ -9,26 +9,13 @@
 #include <nlohmann/json.hpp>
 
 #include "design/units.h"
+#include "design/wall_kind.h"
 #include "model/shape/shape.h"
 #include "report/checks_json.h"
 #include "report/report_data.h"
 
 namespace latticast {
 namespace {
-
-const char* wall_name(WallKind wall) {
-  switch (wall) {
-    case WallKind::layered:
-      return "layered";
-    case WallKind::bonded:
-      return "bonded";
-    case WallKind::mixture:
-      return "mixture";
-    case WallKind::unit_cell:
-      return "unit-cell";
-  }
-  return "";
-}
 
 using Json = nlohmann::ordered_json;
 constexpr std::size_t most_line_points = 20000;  // of all cases together
@@ -101,7 +88,7 @@ Json design_json(const Design& design) {
   }
   return {{"segments", segments},
           {"model",
-           {{"kind", wall_name(design.model.wall)},
+           {{"kind", word_of(design.model.wall, wall_kinds)},
             {"columns", design.model.columns == ColumnModel::distributed ? "distributed" : "rods"},
             {"joint", name(design.model.joint)}}},
           {"tolerance_mm", design.output.tolerance_mm}};
@@ -263,6 +250,24 @@ double stable_until(const ResponseCurve& curve, double sign) {
   return until;
 }
 
+Json kind_json(const KindPrediction& other, const Segment& segment, std::size_t index) {
+  Json json{{"kind", word_of(other.kind, wall_kinds)}, {"states", Json::array()}};
+  if (!other.prediction) {
+    json["refusal"] = other.refusal;
+    return json;
+  }
+  const Response& response = other.prediction->segments[index].response;
+  json["message"] = response.message;
+  for (const auto& state : response.states) {
+    if (!state) continue;
+    json["states"].push_back({{"pressure_kPa", state->pressure_kpa},
+                              {"stretch", state->stretch},
+                              {"twist_deg", twist_deg(*state, segment)},
+                              {"bend_deg", bend_deg(*state, segment)}});
+  }
+  return json;
+}
+
 Json response_json(const ResponseCurve& curve, const Segment& segment, std::size_t number) {
   const Response& response = curve.prediction.response;
   return {{"segment", number},
@@ -322,7 +327,13 @@ Json prediction_json(const ReportData& data) {
   if (!data.curves) return nullptr;
   Json segments = Json::array();
   for (std::size_t s = 0; s < data.curves->segments.size(); ++s) {
-    segments.push_back(response_json(data.curves->segments[s], data.design->segments[s], s + 1));
+    const Segment& segment = data.design->segments[s];
+    segments.push_back(response_json(data.curves->segments[s], segment, s + 1));
+    if (data.curves->other_kinds.empty()) continue;
+    Json& kinds = segments.back()["other_kinds"] = Json::array();
+    for (const KindPrediction& other : data.curves->other_kinds) {
+      kinds.push_back(kind_json(other, segment, s));
+    }
   }
   return {{"segments", segments}, {"chain", chain_json(*data.curves, *data.design)}};
 }

@@ -23,11 +23,6 @@ double share_of_each(const Lattice& lattice) {
 
 }  // namespace
 
-bool has_curved_strands(const Lattice& lattice) {
-  return std::any_of(lattice.grids.begin(), lattice.grids.end(),
-                     [](const Grid& grid) { return is_curved(grid.path); });
-}
-
 bool has_curved_outlines(const Lattice& lattice) {
   return lattice.fillet_mm > 0 || has_curved_strands(lattice);
 }

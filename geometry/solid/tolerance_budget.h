@@ -17,9 +17,6 @@ struct ToleranceBudget {
   double coarsest_step_mm = 0;  ///< of the plane's grid, where outlines graze each other
 };
 
-/// Do strands follow a curved path?
-bool has_curved_strands(const Lattice& lattice);
-
 /// Do outlines run in every direction, as curved strands and fillets do?
 bool has_curved_outlines(const Lattice& lattice);
 

@@ -330,6 +330,23 @@ std::optional<SectionEnergy> CondensedCell::at(const Deformation& deformation) {
                       -deformation.bend_1, deformation.inner_growth});
 }
 
+std::vector<std::array<double, 3>> CondensedCell::displacements() const {
+  const CellMesh& mesh = solver_->assembly.mesh();
+  std::vector<std::array<double, 3>> moved(mesh.nodes.size());
+  for (std::size_t n = 0; n < moved.size(); ++n) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const NodeUnknown& unknown = mesh.nodes[n].unknown[i];
+      if (unknown.number >= 0) moved[n][i] = unknown.sign * solver_->here.unknowns[unknown.number];
+    }
+  }
+  return moved;
+}
+
+std::array<double, 4> CondensedCell::tube_strain() const {
+  const Coordinates& at = solver_->here.at;
+  return {at[0], at[1], at[2], at[3]};
+}
+
 int CondensedCell::factorisations() const {
   return solver_->factorisations;
 }

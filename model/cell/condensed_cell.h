@@ -4,8 +4,10 @@
 // condensation.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "model/cell/cell_mesh.h"
 #include "model/section/deformation.h"
@@ -30,6 +32,11 @@ class CondensedCell {
   /// for before, so that successive ones should be near each other. Empty where the cell cannot be
   /// followed there.
   std::optional<SectionEnergy> at(const Deformation& deformation);
+
+  /// Of the nodes, by their components, where at() has led last; zero before it was asked.
+  std::vector<std::array<double, 3>> displacements() const;
+  /// The tube's strain (a TubeStrain) there.
+  std::array<double, 4> tube_strain() const;
 
   /// Factorisations so far.
   int factorisations() const;

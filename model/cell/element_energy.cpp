@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/cell/element_energy.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <span>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "geometry/mesh/point_algebra.h"
 #include "model/cell/element_shape.h"
 #include "model/cell/point_energy.h"
 #include "model/cell/symmetric_product.h"
@@ -22,21 +26,10 @@ constexpr int pressures = 4;  // 1, xi, eta, zeta
 using Pressures = Eigen::Matrix<double, pressures, 1>;
 using PressureMatrix = Eigen::Matrix<double, pressures, pressures>;
 
-/// Sizes of an element with N nodes.
-template <std::size_t N>
-constexpr int size_of = ElementEnergy<N>::size;
-template <std::size_t N>
-constexpr int points_of = N == 27 ? 27 : 21;
-template <std::size_t N>
-constexpr int width_of = product_width(size_of<N>);
-template <std::size_t N>
-constexpr int rows_of = 9 * points_of<N> + pressures;
-template <std::size_t N>
-using Factor = Eigen::Matrix<double, Eigen::Dynamic, width_of<N>, Eigen::RowMajor>;
-template <std::size_t N>
-using Hessian = Eigen::Matrix<double, size_of<N>, size_of<N>, Eigen::RowMajor>;
-template <std::size_t N>
-using NodeVectors = Eigen::Matrix<double, 3, static_cast<int>(N)>;
+constexpr std::size_t largest_size = ElementEnergy<27>::size;
+
+// Axes that k, kappa_1 and kappa_2 turn about.
+constexpr std::array<int, 3> axis_of = {2, 0, 1};
 
 /// Columns: the radial, tangential and axial direction at a node's rest angle.
 Matrix3 frame_of(const CellNode& node) {
@@ -53,128 +46,259 @@ Matrix3 cross_matrix(const Vector3& omega) {
   return matrix;
 }
 
-/// What an element's nodes are at rest and now.
-template <std::size_t N>
-struct PlacedNodes {
-  NodeVectors<N> rest;   // place
-  NodeVectors<N> place;  // y, in the section's frame
-  std::array<Matrix3, N> frames;
+/// A node at rest and now, in the section's frame.
+struct PlacedNode {
+  Matrix3 frame;
+  Vector3 rest;
+  Vector3 place;
 };
 
-template <std::size_t N>
-PlacedNodes<N> placed(const CellMesh& mesh, const CellElement<N>& element,
-                      const std::array<std::array<double, 3>, N>& displacement) {
-  PlacedNodes<N> nodes;
-  for (std::size_t a = 0; a < N; ++a) {
-    const CellNode& node = mesh.nodes[element.nodes[a]];
-    nodes.frames[a] = frame_of(node);
-    const Vector3 radial = nodes.frames[a].col(0) * node.radius_mm;
-    const auto column = static_cast<Eigen::Index>(a);
-    nodes.rest.col(column) = radial + Vector3(0, 0, node.height_mm);
-    nodes.place.col(column) =
-        radial + nodes.frames[a] * Eigen::Map<const Vector3>(displacement[a].data());
-  }
-  return nodes;
+PlacedNode placed(const CellNode& node, const std::array<double, 3>& displacement) {
+  PlacedNode result{frame_of(node), {}, {}};
+  const Vector3 radial = result.frame.col(0) * node.radius_mm;
+  result.rest = radial + Vector3(0, 0, node.height_mm);
+  result.place = radial + result.frame * Eigen::Map<const Vector3>(displacement.data());
+  return result;
 }
 
-/// One Gauss point: how F depends on the unknowns, rows of F one after the other.
-template <std::size_t N>
-struct StrainAtPoint {
-  double volume = 0;  // that it stands for
-  Tensor gradient{};  // F
-  Eigen::Matrix<double, 9, size_of<N>, Eigen::RowMajor> by_unknowns;
+/// Row-major rows of `width` doubles, the first `size` of them used.
+struct Rows {
+  double* first;
+  std::size_t size;
+  std::size_t width;
+
+  double* row(std::size_t i) const { return first + i * width; }
 };
 
-template <std::size_t N>
-void evaluate_strain(const ShapeAtPoint& shape, const PlacedNodes<N>& nodes,
-                     const TubeStrain& strain, StrainAtPoint<N>& at) {
-  constexpr int n = static_cast<int>(N);
-  const Eigen::Map<const NodeVectors<N>> own_slopes(shape.slope.front().data());
-  const Eigen::Map<const Eigen::Matrix<double, n, 1>> values(shape.value.data());
-  const Matrix3 map = nodes.rest * own_slopes.transpose();  // dX_i/dxi_j
-  at.volume = shape.weight * map.determinant();
-  const NodeVectors<N> slopes = map.inverse().transpose() * own_slopes;
-  const Vector3 y = nodes.place * values;
-  const Vector3 omega(strain[2], strain[3], strain[1]);
-  const Matrix3 turning = cross_matrix(omega);
-  Matrix3 f = nodes.place * slopes.transpose();
-  f.col(2) += turning * y + Vector3(0, 0, 1 + strain[0]);
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) at.gradient[3 * i + j] = f(i, j);
+/// result += factors rows: a row vector times the first rows.
+void add_combined(std::span<const double> factors, double share, const Rows& rows, double* result) {
+  for (std::size_t i = 0; i < factors.size(); ++i) {
+    const double factor = share * factors[i];
+    const double* row = rows.row(i);
+    for (std::size_t j = 0; j < rows.size; ++j) result[j] += factor * row[j];
   }
-  for (int a = 0; a < n; ++a) {
-    const Matrix3 turned = values[a] * (turning * nodes.frames[a]);
+}
+
+/// What a Gauss point stands for, and F there.
+struct StrainAtPoint {
+  double volume = 0;
+  Tensor gradient{};
+  VolumeRatio ratio;
+};
+
+/// What one evaluation needs room for; kept from one element to the next.
+struct Scratch {
+  std::vector<PlacedNode> nodes;
+  std::vector<Vector3> slopes;  // of the shapes, by rest places
+  std::vector<StrainAtPoint> points;
+  std::vector<double> by_unknowns;  // of F, nine rows a point, then of the dilations
+  std::vector<double> weighted;     // the same, times tangents
+  std::vector<double> product;
+};
+
+struct Deformed {
+  Matrix3 gradient;
+  Vector3 place;
+};
+
+/// F and y; fills in the slopes by rest places.
+Deformed deformed(const ShapeAtPoint& shape, const TubeStrain& strain, Scratch& scratch,
+                  double& volume) {
+  Matrix3 map = Matrix3::Zero();  // dX_i/dxi_j
+  for (std::size_t a = 0; a < scratch.nodes.size(); ++a) {
+    map += scratch.nodes[a].rest * Eigen::Map<const Vector3>(shape.slope[a].data()).transpose();
+  }
+  volume = shape.weight * map.determinant();
+  const Matrix3 back = map.inverse().transpose();
+  Deformed at{Matrix3::Zero(), Vector3::Zero()};
+  for (std::size_t a = 0; a < scratch.nodes.size(); ++a) {
+    scratch.slopes[a] = back * Eigen::Map<const Vector3>(shape.slope[a].data());
+    at.gradient += scratch.nodes[a].place * scratch.slopes[a].transpose();
+    at.place += shape.value[a] * scratch.nodes[a].place;
+  }
+  const Vector3 omega(strain[2], strain[3], strain[1]);
+  at.gradient.col(2) += omega.cross(at.place) + Vector3(0, 0, 1 + strain[0]);
+  return at;
+}
+
+/// How F depends on the unknowns: its nine entries, rows of F one after the other.
+void differentiate(const ShapeAtPoint& shape, const TubeStrain& strain, const Vector3& place,
+                   const Scratch& scratch, const Rows& by) {
+  const Matrix3 turning = cross_matrix({strain[2], strain[3], strain[1]});
+  for (std::size_t a = 0; a < scratch.nodes.size(); ++a) {
+    const Matrix3& frame = scratch.nodes[a].frame;
+    const Matrix3 turned = shape.value[a] * (turning * frame);
+    const Vector3& slope = scratch.slopes[a];
     for (int i = 0; i < 3; ++i) {
-      for (int c = 0; c < 3; ++c) {
-        const double direction = nodes.frames[a](i, c);
-        for (int j = 0; j < 3; ++j) {
-          at.by_unknowns(3 * i + j, 3 * a + c) = direction * slopes(j, a);
-        }
-        at.by_unknowns(3 * i + 2, 3 * a + c) += turned(i, c);
+      for (int j = 0; j < 3; ++j) {
+        double* entry = by.row(3 * i + j) + 3 * a;
+        for (int c = 0; c < 3; ++c) entry[c] = frame(i, c) * slope[j];
       }
+      double* last = by.row(3 * i + 2) + 3 * a;
+      for (int c = 0; c < 3; ++c) last[c] += turned(i, c);
     }
   }
-  at.by_unknowns.template rightCols<tube_strains>().setZero();
-  at.by_unknowns(8, 3 * n) = 1;
-  constexpr std::array<int, 3> axis_of = {2, 0, 1};  // of k, kappa_1, kappa_2
-  for (int m = 0; m < 3; ++m) {
-    const Vector3 moved = Vector3::Unit(axis_of[m]).cross(y);
-    for (int i = 0; i < 3; ++i) at.by_unknowns(3 * i + 2, 3 * n + 1 + m) = moved[i];
+  const std::size_t own = by.size - tube_strains;
+  for (std::size_t i = 0; i < 9; ++i) std::fill_n(by.row(i) + own, tube_strains, 0);
+  by.row(8)[own] = 1;
+  for (std::size_t m = 0; m < 3; ++m) {
+    const Vector3 moved = Vector3::Unit(axis_of[m]).cross(place);
+    for (int i = 0; i < 3; ++i) by.row(3 * i + 2)[own + 1 + m] = moved[i];
   }
 }
 
 /// Adds what the stress does through F's own curvature: the tube turns what the nodes move.
-template <std::size_t N>
-void add_turning(const ShapeAtPoint& shape, const PlacedNodes<N>& nodes, const Tensor& stress,
-                 double volume, Eigen::Map<Hessian<N>>& hessian) {
-  constexpr int n = static_cast<int>(N);
+void add_turning(const ShapeAtPoint& shape, std::span<const PlacedNode> nodes, const Tensor& stress,
+                 double volume, const Rows& hessian) {
   const Vector3 pull(stress[2], stress[5], stress[8]);
-  constexpr std::array<int, 3> axis_of = {2, 0, 1};
-  for (int m = 0; m < 3; ++m) {
+  const std::size_t own = hessian.size - tube_strains;
+  for (std::size_t m = 0; m < 3; ++m) {
     // pull . (e_m x d) = d . (pull x e_m)
     const Vector3 lever = pull.cross(Vector3::Unit(axis_of[m])) * volume;
-    for (int a = 0; a < n; ++a) {
-      const Vector3 by = shape.value[a] * (nodes.frames[a].transpose() * lever);
-      for (int c = 0; c < 3; ++c) hessian(3 * a + c, 3 * n + 1 + m) += by[c];
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      const Vector3 by = shape.value[a] * (nodes[a].frame.transpose() * lever);
+      for (std::size_t c = 0; c < 3; ++c) hessian.row(3 * a + c)[own + 1 + m] += by[c];
     }
   }
 }
 
-/// How an element's volume changes: the dilation J - 1 by the functions of its pressure.
-template <std::size_t N>
-struct DilatedElement {
-  std::array<StrainAtPoint<N>, points_of<N>> strains;
-  std::array<VolumeRatio, points_of<N>> volumes;
+/// The dilation J - 1 by the functions of an element's pressure.
+struct Dilation {
   PressureMatrix mass = PressureMatrix::Zero();
-  Pressures dilation = Pressures::Zero();
-  Eigen::Matrix<double, pressures, size_of<N>> by_unknowns;
+  Pressures value = Pressures::Zero();
 };
 
 Pressures basis(const ShapeAtPoint& point) {
   return {1, point.place[0], point.place[1], point.place[2]};
 }
 
-/// False where a point is turned inside out.
-template <std::size_t N>
-bool dilate(const PlacedNodes<N>& nodes, const TubeStrain& strain, DilatedElement<N>& element) {
-  element.mass.setZero();
-  element.dilation.setZero();
-  element.by_unknowns.setZero();
-  for (std::size_t g = 0; g < element.strains.size(); ++g) {
-    const ShapeAtPoint& point = shape_of<N>().points[g];
-    StrainAtPoint<N>& at = element.strains[g];
-    evaluate_strain(point, nodes, strain, at);
-    VolumeRatio& volume = element.volumes[g];
-    volume = volume_ratio(at.gradient);
-    if (!(volume.value > 0) || !(at.volume > 0)) return false;
+Rows rows_at(std::vector<double>& matrix, std::size_t row, std::size_t size, std::size_t width) {
+  return {matrix.data() + row * width, size, width};
+}
+
+/// Evaluates F and the dilation, with derivatives. Empty where a point is turned inside out.
+std::optional<Dilation> dilate(const ElementShape& shape, const TubeStrain& strain,
+                               std::size_t size, std::size_t width, Scratch& scratch) {
+  Dilation dilation;
+  const std::size_t count = shape.points.size();
+  const Rows by_unknowns = rows_at(scratch.by_unknowns, 9 * count, size, width);
+  std::fill_n(by_unknowns.first, pressures * width, 0);
+  std::array<double, largest_size> by{};
+  for (std::size_t g = 0; g < count; ++g) {
+    const ShapeAtPoint& point = shape.points[g];
+    StrainAtPoint& at = scratch.points[g];
+    const Deformed now = deformed(point, strain, scratch, at.volume);
+    for (int i = 0; i < 9; ++i) at.gradient[i] = now.gradient(i / 3, i % 3);
+    at.ratio = volume_ratio(at.gradient);
+    if (!(at.ratio.value > 0) || !(at.volume > 0)) return std::nullopt;
+    const Rows rows = rows_at(scratch.by_unknowns, 9 * g, size, width);
+    differentiate(point, strain, now.place, scratch, rows);
     const Pressures phi = at.volume * basis(point);
-    element.mass += phi * basis(point).transpose();
-    element.dilation += (volume.value - 1) * phi;
-    const Eigen::Map<const Eigen::Matrix<double, 1, 9>> cofactor(volume.cofactor.data());
-    const Eigen::Matrix<double, 1, size_of<N>> by = cofactor * at.by_unknowns;
-    element.by_unknowns += phi * by;
+    dilation.mass += phi * basis(point).transpose();
+    dilation.value += (at.ratio.value - 1) * phi;
+    by.fill(0);
+    add_combined(at.ratio.cofactor, 1, rows, by.data());
+    for (int i = 0; i < pressures; ++i) {
+      double* row = by_unknowns.row(i);
+      for (std::size_t j = 0; j < size; ++j) row[j] += phi[i] * by[j];
+    }
+  }
+  return dilation;
+}
+
+void make_room(const ElementShape& shape, std::size_t width, Scratch& scratch) {
+  const std::size_t nodes = shape.nodes;
+  const std::size_t rows = 9 * shape.points.size() + pressures;
+  scratch.nodes.resize(nodes);
+  scratch.slopes.resize(nodes);
+  scratch.points.resize(shape.points.size());
+  // Columns beyond an element's own are never written: they stay zero.
+  if (scratch.by_unknowns.size() == rows * width) return;
+  scratch.by_unknowns.assign(rows * width, 0);
+  scratch.weighted.assign(rows * width, 0);
+  scratch.product.assign(width * width, 0);
+}
+
+/// Of an element whose nodes have been placed.
+struct ElementParts {
+  double& energy;
+  double* gradient;
+  Rows hessian;
+  Pressures& pressure;
+  Rows pressure_by;
+};
+
+/// Adds the strain energy of the points, and leaves their tangents' products in `weighted`.
+template <std::size_t width>
+bool add_points(const ElementShape& shape, const Law& law, const Pressures& weighing,
+                Scratch& scratch, ElementParts& parts) {
+  for (std::size_t g = 0; g < shape.points.size(); ++g) {
+    const ShapeAtPoint& at_point = shape.points[g];
+    const StrainAtPoint& at = scratch.points[g];
+    auto point = isochoric_energy(law, at.gradient);
+    if (!point) return false;
+    parts.energy += at.volume * point->energy;
+    const double p = weighing.dot(basis(at_point));
+    add_volume_curvature(at.gradient, p, point->tangent);
+    const Rows rows = rows_at(scratch.by_unknowns, 9 * g, parts.hessian.size, width);
+    tangent_product<width>(point->tangent.data(), at.volume, rows.first,
+                           scratch.weighted.data() + 9 * g * width);
+    add_combined(point->stress, at.volume, rows, parts.gradient);
+    Tensor whole{};
+    for (std::size_t i = 0; i < 9; ++i) whole[i] = point->stress[i] + p * at.ratio.cofactor[i];
+    add_turning(at_point, scratch.nodes, whole, at.volume, parts.hessian);
   }
   return true;
+}
+
+template <std::size_t width>
+bool evaluate_placed(const ElementShape& shape, const CellMaterial& material,
+                     const TubeStrain& strain, const ElementPressure* held, Scratch& scratch,
+                     ElementParts& parts) {
+  const std::size_t size = parts.hessian.size;
+  const auto dilation = dilate(shape, strain, size, width, scratch);
+  if (!dilation) return false;
+  const PressureMatrix stiffness = material.bulk_modulus_mpa * dilation->mass.inverse();
+  parts.pressure = stiffness * dilation->value;
+  const std::size_t last = 9 * shape.points.size();
+  const Rows by_unknowns = rows_at(scratch.by_unknowns, last, size, width);
+  std::fill_n(parts.pressure_by.first, pressures * size, 0);
+  for (int i = 0; i < pressures; ++i) {
+    const Pressures row = stiffness.row(i);
+    add_combined({row.data(), pressures}, 1, by_unknowns, parts.pressure_by.row(i));
+    std::copy_n(parts.pressure_by.row(i), size, scratch.weighted.data() + (last + i) * width);
+  }
+  const Pressures weighing =
+      held != nullptr ? Pressures(Eigen::Map<const Pressures>(held->data())) : parts.pressure;
+  parts.energy = 0.5 * parts.pressure.dot(dilation->value);
+  std::fill_n(parts.gradient, size, 0);
+  add_combined({parts.pressure.data(), pressures}, 1, by_unknowns, parts.gradient);
+  std::fill_n(parts.hessian.first, size * size, 0);
+  if (!add_points<width>(shape, material.law, weighing, scratch, parts)) return false;
+  symmetric_product<width>(scratch.by_unknowns.data(), scratch.weighted.data(), last + pressures,
+                           scratch.product.data());
+  for (std::size_t i = 0; i < size; ++i) {
+    const double* product = scratch.product.data() + i * width;
+    for (std::size_t j = 0; j < size; ++j) parts.hessian.row(i)[j] += product[j];
+  }
+  return true;
+}
+
+}  // namespace
+
+namespace {
+
+/// Room for an element of this size alone, for the columns that stay zero; its nodes placed.
+template <std::size_t N>
+Scratch& scratch_of(const CellMesh& mesh, const CellElement<N>& element,
+                    const std::array<std::array<double, 3>, N>& displacement) {
+  // On the heap: what a thread keeps for itself is set to zero when the program starts.
+  thread_local const auto scratch = std::make_unique<Scratch>();
+  make_room(shape_of<N>(), product_width(ElementEnergy<N>::size), *scratch);
+  for (std::size_t a = 0; a < N; ++a) {
+    scratch->nodes[a] = placed(mesh.nodes[element.nodes[a]], displacement[a]);
+  }
+  return *scratch;
 }
 
 }  // namespace
@@ -183,56 +307,58 @@ template <std::size_t N>
 bool evaluate(const CellMesh& mesh, const CellElement<N>& element,
               const std::array<std::array<double, 3>, N>& displacement, const TubeStrain& strain,
               const ElementPressure* held, ElementEnergy<N>& result) {
-  constexpr int element_size = size_of<N>;
-  const CellMaterial& material = mesh.materials[element.material];
-  const PlacedNodes<N> nodes = placed(mesh, element, displacement);
-  // On the heap: what a thread keeps for itself is set to zero when the program starts.
-  thread_local const auto scratch = std::make_unique<DilatedElement<N>>();
-  DilatedElement<N>& dilated = *scratch;
-  if (!dilate(nodes, strain, dilated)) return false;
-  const PressureMatrix stiffness = material.bulk_modulus_mpa * dilated.mass.inverse();
-  const Pressures pressure = stiffness * dilated.dilation;
-  Eigen::Map<Pressures>(result.pressure.data()) = pressure;
-  Eigen::Map<Eigen::Matrix<double, pressures, element_size, Eigen::RowMajor>> pressure_by(
-      result.pressure_by.data());
-  pressure_by.noalias() = stiffness * dilated.by_unknowns;
-  const Pressures weighing =
-      held != nullptr ? Pressures(Eigen::Map<const Pressures>(held->data())) : pressure;
-
-  result.energy = 0.5 * pressure.dot(dilated.dilation);
-  Eigen::Map<Eigen::Matrix<double, element_size, 1>> gradient(result.gradient.data());
-  Eigen::Map<Hessian<N>> hessian(result.hessian.data());
-  gradient = dilated.by_unknowns.transpose() * pressure;
-  hessian.setZero();
-  thread_local Factor<N> left = Factor<N>::Zero(rows_of<N>, width_of<N>);
-  thread_local Factor<N> right = Factor<N>::Zero(rows_of<N>, width_of<N>);
-  thread_local Factor<N> product = Factor<N>::Zero(width_of<N>, width_of<N>);
-  Eigen::Index row = 0;
-  for (std::size_t g = 0; g < dilated.strains.size(); ++g, row += 9) {
-    const ShapeAtPoint& shape = shape_of<N>().points[g];
-    const StrainAtPoint<N>& at = dilated.strains[g];
-    auto point = isochoric_energy(material.law, at.gradient);
-    if (!point) return false;
-    result.energy += at.volume * point->energy;
-    const double p = weighing.dot(basis(shape));
-    add_volume_curvature(at.gradient, p, point->tangent);
-    left.template block<9, element_size>(row, 0) = at.by_unknowns;
-    tangent_product<width_of<N>>(point->tangent.data(), at.volume, &left(row, 0), &right(row, 0));
-    const Eigen::Map<const Eigen::Matrix<double, 9, 1>> stress(point->stress.data());
-    gradient += at.volume * (at.by_unknowns.transpose() * stress);
-    Tensor whole{};
-    for (std::size_t i = 0; i < 9; ++i) {
-      whole[i] = point->stress[i] + p * dilated.volumes[g].cofactor[i];
-    }
-    add_turning<N>(shape, nodes, whole, at.volume, hessian);
+  constexpr std::size_t size = ElementEnergy<N>::size;
+  Scratch& scratch = scratch_of<N>(mesh, element, displacement);
+  Pressures pressure;
+  ElementParts parts{result.energy, result.gradient.data(), Rows{result.hessian.data(), size, size},
+                     pressure, Rows{result.pressure_by.data(), size, size}};
+  if (!evaluate_placed<product_width(size)>(shape_of<N>(), mesh.materials[element.material], strain,
+                                            held, scratch, parts)) {
+    return false;
   }
-  left.template block<pressures, element_size>(row, 0) = dilated.by_unknowns;
-  right.template block<pressures, element_size>(row, 0) = pressure_by;
-  symmetric_product<width_of<N>>(left.data(), right.data(), rows_of<N>, product.data());
-  hessian += product.template topLeftCorner<element_size, element_size>();
+  Eigen::Map<Pressures>(result.pressure.data()) = pressure;
   return true;
 }
 
+template <std::size_t N>
+std::vector<ElementPoint> element_points(const CellMesh& mesh, const CellElement<N>& element,
+                                         const std::array<std::array<double, 3>, N>& displacement,
+                                         const TubeStrain& strain) {
+  constexpr std::size_t size = ElementEnergy<N>::size;
+  const ElementShape& shape = shape_of<N>();
+  const CellMaterial& material = mesh.materials[element.material];
+  Scratch& scratch = scratch_of<N>(mesh, element, displacement);
+  const auto dilation = dilate(shape, strain, size, product_width(size), scratch);
+  if (!dilation) return {};
+  const Pressures pressure =
+      material.bulk_modulus_mpa * (dilation->mass.inverse() * dilation->value);
+  std::vector<ElementPoint> points;
+  points.reserve(shape.points.size());
+  for (std::size_t g = 0; g < shape.points.size(); ++g) {
+    const StrainAtPoint& at = scratch.points[g];
+    const auto energy = isochoric_energy(material.law, at.gradient);
+    if (!energy) return {};
+    ElementPoint& point = points.emplace_back();
+    point.own = shape.points[g].place;
+    point.gradient = at.gradient;
+    const double p = pressure.dot(basis(shape.points[g]));
+    for (std::size_t i = 0; i < 9; ++i) {
+      point.stress[i] = energy->stress[i] + p * at.ratio.cofactor[i];
+    }
+    for (std::size_t a = 0; a < N; ++a) {
+      const Vector3& rest = scratch.nodes[a].rest;
+      for (int i = 0; i < 3; ++i) point.place[i] += shape.points[g].value[a] * rest[i];
+    }
+  }
+  return points;
+}
+
+template std::vector<ElementPoint> element_points(const CellMesh&, const CellElement<27>&,
+                                                  const std::array<std::array<double, 3>, 27>&,
+                                                  const TubeStrain&);
+template std::vector<ElementPoint> element_points(const CellMesh&, const CellElement<21>&,
+                                                  const std::array<std::array<double, 3>, 21>&,
+                                                  const TubeStrain&);
 template bool evaluate(const CellMesh&, const CellElement<27>&,
                        const std::array<std::array<double, 3>, 27>&, const TubeStrain&,
                        const ElementPressure*, ElementEnergy<27>&);
@@ -242,82 +368,153 @@ template bool evaluate(const CellMesh&, const CellElement<21>&,
 
 namespace {
 
+/// y and its slopes along a face's two coordinates, and those of the rest height.
 struct FacePoint {
-  Vector3 place = Vector3::Zero();
-  std::array<Vector3, 2> slopes = {Vector3::Zero(), Vector3::Zero()};
+  Point place{};
+  std::array<Point, 2> slopes{};
   std::array<double, 2> height_slopes{};
 };
 
 /// Volume per area in the face's own coordinates, by its variables: y, y's slopes a and b along the
-/// face's two coordinates, lambda, Omega.
-constexpr int face_numbers = 13;
+/// face's two coordinates, lambda, Omega in the order of a TubeStrain.
+constexpr std::size_t face_numbers = 13;
 struct CavityDensity {
   double value = 0;
-  Eigen::Matrix<double, face_numbers, 1> gradient;
-  Eigen::Matrix<double, face_numbers, face_numbers> hessian;
+  std::array<double, face_numbers> gradient{};
+  std::array<std::array<double, face_numbers>, face_numbers> hessian{};
 };
+
+/// What a density is made of: c = rise_b a - rise_a b.
+struct CavityTerms {
+  Point y{}, a{}, b{}, c{}, omega{};
+  double rise_a = 0, rise_b = 0;
+  double stretch = 1;
+  double cy = 0, oy = 0, co = 0, yy = 0;
+};
+
+CavityTerms cavity_terms(const FacePoint& point, const TubeStrain& strain) {
+  CavityTerms t;
+  t.y = point.place;
+  t.a = point.slopes[0];
+  t.b = point.slopes[1];
+  t.omega = {strain[2], strain[3], strain[1]};
+  t.rise_a = point.height_slopes[0];
+  t.rise_b = point.height_slopes[1];
+  t.stretch = 1 + strain[0];
+  t.oy = dot(t.omega, t.y);
+  t.yy = dot(t.y, t.y);
+  for (std::size_t i = 0; i < 3; ++i) t.c[i] = t.rise_b * t.a[i] - t.rise_a * t.b[i];
+  t.cy = dot(t.c, t.y);
+  t.co = dot(t.c, t.omega);
+  return t;
+}
+
+constexpr Point axis = {0, 0, 1};
+
+void set_gradient(const CavityTerms& t, CavityDensity& density) {
+  const Point ab = cross(t.a, t.b);
+  const Point by = cross(t.b, t.y);
+  const Point ya = cross(t.y, t.a);
+  const Point c_axis = cross(t.c, axis);
+  const Point axis_y = cross(axis, t.y);
+  auto& g = density.gradient;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double by_c = (t.oy * t.y[i] - t.yy * t.omega[i]) / 3 + 0.5 * t.stretch * axis_y[i];
+    g[i] = (ab[i] + t.cy * t.omega[i] + t.oy * t.c[i] - 2 * t.co * t.y[i]) / 3 +
+           0.5 * t.stretch * c_axis[i];
+    g[3 + i] = by[i] / 3 + t.rise_b * by_c;
+    g[6 + i] = ya[i] / 3 - t.rise_a * by_c;
+  }
+  g[9] = 0.5 * dot(axis, cross(t.y, t.c));
+  for (std::size_t m = 0; m < 3; ++m) {
+    g[10 + m] = (t.cy * t.y[axis_of[m]] - t.yy * t.c[axis_of[m]]) / 3;
+  }
+}
+
+/// Entry (i, j) of the matrix that multiplies as `vector x` does.
+double cross_entry(const Point& vector, std::size_t i, std::size_t j) {
+  if (i == j) return 0;
+  const double entry = vector[3 - i - j];
+  return (i + 1) % 3 == j ? -entry : entry;
+}
+
+/// By y, c, lambda and Omega first; a and b follow c.
+void set_hessian(const CavityTerms& t, CavityDensity& density) {
+  const Point c_axis = cross(t.c, axis);
+  const Point axis_y = cross(axis, t.y);
+  auto& h = density.hessian;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) {
+      const double one = i == j ? 1 : 0;
+      const double yc = (t.omega[i] * t.y[j] + t.oy * one - 2 * t.y[i] * t.omega[j]) / 3 -
+                        0.5 * t.stretch * cross_entry(axis, i, j);
+      h[i][j] = (t.omega[i] * t.c[j] + t.c[i] * t.omega[j] - 2 * t.co * one) / 3;
+      h[i][3 + j] = -cross_entry(t.b, i, j) / 3 + t.rise_b * yc;
+      h[i][6 + j] = cross_entry(t.a, i, j) / 3 - t.rise_a * yc;
+      h[3 + i][6 + j] = -cross_entry(t.y, i, j) / 3;
+    }
+    h[i][9] = 0.5 * c_axis[i];
+    h[3 + i][9] = 0.5 * t.rise_b * axis_y[i];
+    h[6 + i][9] = -0.5 * t.rise_a * axis_y[i];
+    for (std::size_t m = 0; m < 3; ++m) {
+      const std::size_t k = axis_of[m];
+      const double one = i == k ? 1 : 0;
+      const double co = (t.y[i] * t.y[k] - t.yy * one) / 3;
+      h[i][10 + m] = (t.cy * one + t.c[i] * t.y[k] - 2 * t.y[i] * t.c[k]) / 3;
+      h[3 + i][10 + m] = t.rise_b * co;
+      h[6 + i][10 + m] = -t.rise_a * co;
+    }
+  }
+  for (std::size_t i = 0; i < face_numbers; ++i) {
+    for (std::size_t j = 0; j < i; ++j) h[i][j] = h[j][i];
+  }
+}
 
 /// det[y, a, b]/3, plus with c = Z_b a - Z_a b, D along a curve of the face being d + dZ (Omega x
 /// y),
 ///     y . (c x (Omega x y))/3 + lambda e3 . (y x c)/2.
 CavityDensity cavity_density(const FacePoint& point, const TubeStrain& strain) {
-  const Vector3& y = point.place;
-  const Vector3& a = point.slopes[0];
-  const Vector3& b = point.slopes[1];
-  const double rise_a = point.height_slopes[0];
-  const double rise_b = point.height_slopes[1];
-  const Vector3 c = rise_b * a - rise_a * b;
-  const double stretch = 1 + strain[0];
-  const Vector3 omega(strain[2], strain[3], strain[1]);
-  const Vector3 axis = Vector3::UnitZ();
-  const double cy = c.dot(y);
-  const double oy = omega.dot(y);
-  const double co = c.dot(omega);
-  const double yy = y.dot(y);
-
+  const CavityTerms t = cavity_terms(point, strain);
   CavityDensity density;
-  const double level = 0.5 * axis.dot(y.cross(c));
-  density.value = (y.dot(a.cross(b)) + oy * cy - yy * co) / 3 + stretch * level;
-  // By y, c, lambda and Omega first; a and b follow c.
-  const Vector3 by_y =
-      (a.cross(b) + cy * omega + oy * c - 2 * co * y) / 3 + 0.5 * stretch * c.cross(axis);
-  const Vector3 by_c = (oy * y - yy * omega) / 3 + 0.5 * stretch * axis.cross(y);
-  const Vector3 by_omega = (cy * y - yy * c) / 3;
-  auto& g = density.gradient;
-  g.segment<3>(0) = by_y;
-  g.segment<3>(3) = b.cross(y) / 3 + rise_b * by_c;
-  g.segment<3>(6) = y.cross(a) / 3 - rise_a * by_c;
-  g[9] = level;
-  // TubeStrain has k first, then Omega's other two.
-  g[10] = by_omega[2];
-  g[11] = by_omega[0];
-  g[12] = by_omega[1];
-
-  const Matrix3 identity = Matrix3::Identity();
-  const Matrix3 yy_by = (omega * c.transpose() + c * omega.transpose() - 2 * co * identity) / 3;
-  const Matrix3 yc_by = (omega * y.transpose() + oy * identity - 2 * y * omega.transpose()) / 3 -
-                        0.5 * stretch * cross_matrix(axis);
-  const Matrix3 yo_by = (cy * identity + c * y.transpose() - 2 * y * c.transpose()) / 3;
-  const Matrix3 co_by = (y * y.transpose() - yy * identity) / 3;
-  auto& h = density.hessian;
-  h.setZero();
-  h.block<3, 3>(0, 0) = yy_by;
-  h.block<3, 3>(0, 3) = -cross_matrix(b) / 3 + rise_b * yc_by;
-  h.block<3, 3>(0, 6) = cross_matrix(a) / 3 - rise_a * yc_by;
-  h.block<3, 3>(3, 6) = -cross_matrix(y) / 3;
-  const Vector3 y_stretch = 0.5 * c.cross(axis);
-  const Vector3 c_stretch = 0.5 * axis.cross(y);
-  h.block<3, 1>(0, 9) = y_stretch;
-  h.block<3, 1>(3, 9) = rise_b * c_stretch;
-  h.block<3, 1>(6, 9) = -rise_a * c_stretch;
-  constexpr std::array<int, 3> axis_of = {2, 0, 1};  // of k, kappa_1, kappa_2
-  for (int m = 0; m < 3; ++m) {
-    h.block<3, 1>(0, 10 + m) = yo_by.col(axis_of[m]);
-    h.block<3, 1>(3, 10 + m) = rise_b * co_by.col(axis_of[m]);
-    h.block<3, 1>(6, 10 + m) = -rise_a * co_by.col(axis_of[m]);
-  }
-  h.triangularView<Eigen::StrictlyLower>() = h.transpose();
+  set_gradient(t, density);
+  set_hessian(t, density);
+  density.value =
+      (dot(t.y, cross(t.a, t.b)) + t.oy * t.cy - t.yy * t.co) / 3 + t.stretch * density.gradient[9];
   return density;
+}
+
+/// How a face point's variables depend on the unknowns, `size` columns wide.
+void differentiate(const ShapeAtPoint& shape, std::span<const PlacedNode> nodes, const Rows& by) {
+  std::fill_n(by.first, face_numbers * by.size, 0);
+  const std::size_t own = by.size - tube_strains;
+  for (std::size_t i = 0; i < tube_strains; ++i) by.row(9 + i)[own + i] = 1;
+  for (std::size_t a = 0; a < nodes.size(); ++a) {
+    const std::array<double, 3> shares = {shape.value[a], shape.slope[a][0], shape.slope[a][1]};
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        double* entry = by.row(3 * k + i) + 3 * a;
+        for (std::size_t c = 0; c < 3; ++c) {
+          entry[c] = shares[k] * nodes[a].frame(static_cast<int>(i), static_cast<int>(c));
+        }
+      }
+    }
+  }
+}
+
+/// The upper triangle of by^T (share * matrix) by.
+void add_congruent(const CavityDensity& density, double share, const Rows& by,
+                   const Rows& hessian) {
+  std::array<double, largest_size> turned{};
+  for (std::size_t k = 0; k < face_numbers; ++k) {
+    turned.fill(0);
+    add_combined(density.hessian[k], share, by, turned.data());
+    const double* row = by.row(k);
+    for (std::size_t i = 0; i < by.size; ++i) {
+      if (row[i] == 0) continue;
+      double* result = hessian.row(i);
+      for (std::size_t j = i; j < by.size; ++j) result[j] += row[i] * turned[j];
+    }
+  }
 }
 
 }  // namespace
@@ -326,41 +523,30 @@ template <std::size_t N>
 void evaluate(const CellMesh& mesh, const BoreFace<N>& face,
               const std::array<std::array<double, 3>, N>& displacement, const TubeStrain& strain,
               CavityPart<N>& result) {
-  constexpr int size = CavityPart<N>::size;
-  std::array<Matrix3, N> frames;
-  std::array<Vector3, N> places;
-  for (std::size_t a = 0; a < N; ++a) {
-    const CellNode& node = mesh.nodes[face[a]];
-    frames[a] = frame_of(node);
-    places[a] = frames[a].col(0) * node.radius_mm +
-                frames[a] * Eigen::Map<const Vector3>(displacement[a].data());
-  }
-  Eigen::Map<Eigen::Matrix<double, size, 1>> gradient(result.gradient.data());
-  Eigen::Map<Eigen::Matrix<double, size, size, Eigen::RowMajor>> hessian(result.hessian.data());
-  gradient.setZero();
-  hessian.setZero();
+  constexpr std::size_t size = CavityPart<N>::size;
+  std::array<PlacedNode, N> nodes;
+  for (std::size_t a = 0; a < N; ++a) nodes[a] = placed(mesh.nodes[face[a]], displacement[a]);
+  result.gradient.fill(0);
+  result.hessian.fill(0);
   result.volume_mm3 = 0;
+  std::array<double, face_numbers * size> room;
+  const Rows by{room.data(), size, size};
   for (const ShapeAtPoint& shape : shape_of<N>().points) {
     FacePoint point;
-    Eigen::Matrix<double, face_numbers, size> by =
-        Eigen::Matrix<double, face_numbers, size>::Zero();
-    by.template bottomRightCorner<tube_strains, tube_strains>().setIdentity();
     for (std::size_t a = 0; a < N; ++a) {
-      const auto column = static_cast<Eigen::Index>(3 * a);
-      point.place += shape.value[a] * places[a];
-      by.template block<3, 3>(0, column) = shape.value[a] * frames[a];
+      const Vector3& y = nodes[a].place;
+      const Point place = {y[0], y[1], y[2]};
+      point.place = moved(point.place, place, shape.value[a]);
       for (std::size_t i = 0; i < 2; ++i) {
-        point.slopes[i] += shape.slope[a][i] * places[a];
+        point.slopes[i] = moved(point.slopes[i], place, shape.slope[a][i]);
         point.height_slopes[i] += shape.slope[a][i] * mesh.nodes[face[a]].height_mm;
-        by.template block<3, 3>(static_cast<Eigen::Index>(3 * i + 3), column) =
-            shape.slope[a][i] * frames[a];
       }
     }
     const CavityDensity density = cavity_density(point, strain);
+    differentiate(shape, nodes, by);
     result.volume_mm3 += shape.weight * density.value;
-    gradient += by.transpose() * (shape.weight * density.gradient);
-    const Eigen::Matrix<double, face_numbers, size> turned = (shape.weight * density.hessian) * by;
-    hessian.template triangularView<Eigen::Upper>() += by.transpose() * turned;
+    add_combined(density.gradient, shape.weight, by, result.gradient.data());
+    add_congruent(density, shape.weight, by, Rows{result.hessian.data(), size, size});
   }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/cell/cell_mesh.h"
+#include "model/cell/point_energy.h"
 
 namespace latticast {
 
@@ -43,6 +44,21 @@ template <std::size_t N>
 bool evaluate(const CellMesh& mesh, const CellElement<N>& element,
               const std::array<std::array<double, 3>, N>& displacement, const TubeStrain& strain,
               const ElementPressure* held, ElementEnergy<N>& result);
+
+/// At a Gauss point, in the section's moving frame.
+struct ElementPoint {
+  std::array<double, 3> own{};    ///< coordinates of the element
+  std::array<double, 3> place{};  ///< at rest: x, y, z in mm
+  Tensor gradient{};              ///< F
+  Tensor stress{};                ///< first Piola-Kirchhoff, MPa
+};
+
+/// Of an element under the pressure that its volume asks for; none where it is turned inside out or
+/// its law's limit is reached. N: 27 or 21.
+template <std::size_t N>
+std::vector<ElementPoint> element_points(const CellMesh& mesh, const CellElement<N>& element,
+                                         const std::array<std::array<double, 3>, N>& displacement,
+                                         const TubeStrain& strain);
 
 /// Volume that a bore face encloses with the tube's axis, over the cell's own length, exact for any
 /// twist and bending:

@@ -136,12 +136,12 @@ FoundCell find_unit_cell(const Segment& segment, double error_percent) {
                        text(error_percent) + " are asked for"};
 }
 
-UnitCellEnergy::UnitCellEnergy(const UnitCell& cell)
+UnitCellEnergy::UnitCellEnergy(const UnitCell& cell, std::optional<int> most_factorisations)
     : coarse_(cell.coarse),
       fine_(cell.fine),
       extrapolation_(cell.extrapolation),
-      most_factorisations_(least_factorisations +
-                           factorisations_by_unknowns / std::max(1, cell.fine.unknowns)) {}
+      most_factorisations_(most_factorisations.value_or(
+          least_factorisations + factorisations_by_unknowns / std::max(1, cell.fine.unknowns))) {}
 
 std::optional<ExtrapolatedEnergy> UnitCellEnergy::at(const Deformation& deformation) {
   // Rest is known, and every path begins there.

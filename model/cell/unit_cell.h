@@ -56,7 +56,9 @@ struct ExtrapolatedEnergy {
 /// object belongs to one path of states.
 class UnitCellEnergy {
  public:
-  explicit UnitCellEnergy(const UnitCell& cell);
+  /// `most_factorisations`: of the finer mesh, before it is given up; by default what takes about a
+  /// minute.
+  explicit UnitCellEnergy(const UnitCell& cell, std::optional<int> most_factorisations = {});
 
   /// Empty where a mesh cannot be followed.
   std::optional<ExtrapolatedEnergy> at(const Deformation& deformation);
@@ -64,8 +66,7 @@ class UnitCellEnergy {
   /// Whether the wall buckled within the cell where at() was empty.
   bool buckled() const { return buckled_; }
 
-  /// Whether at() was empty because the cell had been factored as often as one path of states may
-  /// ask: some hundred times, a large one some dozens.
+  /// Whether at() was empty because the cell had been factored as often as it may be.
   bool exhausted() const { return fine_.factorisations() > most_factorisations_; }
 
  private:

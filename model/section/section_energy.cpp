@@ -363,6 +363,7 @@ std::array<double, 5> numbers(const Deformation& at) {
   return {at.elongation, at.twist, at.inner_growth, at.bend_1, at.bend_2};
 }
 
+/// At most N active coordinates.
 // Flattened, since the compiler stops inlining when so many versions of one formula stand side by
 // side, and then takes 1.6 times as long.
 template <bool bent, std::size_t N>
@@ -373,7 +374,7 @@ template <bool bent, std::size_t N>
   const std::array<double, 5> values = numbers(at);
   std::array<Dual<N>, 5> variables;
   for (std::size_t i = 0; i < values.size(); ++i) variables[i] = Dual<N>(values[i]);
-  for (std::size_t i = 0; i < N; ++i) {
+  for (std::size_t i = 0; i < active.size(); ++i) {
     variables[active[i]] = Dual<N>::variable(i, values[active[i]]);
   }
   const auto q = kinematics(section, variables);
@@ -384,9 +385,11 @@ template <bool bent, std::size_t N>
   Dual<N> sum = liner_energy<bent>(section, quadrature, q) + lattice + *links;
   if (section.calibration) sum += calibrated_energy<bent>(*section.calibration, q);
   SectionEnergy energy(sum.value);
-  for (std::size_t i = 0; i < N; ++i) {
+  for (std::size_t i = 0; i < active.size(); ++i) {
     energy.gradient[active[i]] = sum.gradient[i];
-    for (std::size_t j = i; j < N; ++j) energy.set_second(active[i], active[j], sum.second(i, j));
+    for (std::size_t j = i; j < active.size(); ++j) {
+      energy.set_second(active[i], active[j], sum.second(i, j));
+    }
   }
   return energy;
 }
@@ -398,13 +401,12 @@ std::optional<SectionEnergy> stored_energy(const Section& section, const Quadrat
   if (!possible(section, at)) return std::nullopt;
   const bool bent = bends(at) || std::any_of(active.begin(), active.end(),
                                              [](int i) { return i >= coordinate::bend_1; });
+  // What coordinates are held for is rare: not worth versions of its own.
   switch (active.size()) {
     case 1:
-      return bent ? energy_with<true, 1>(section, quadrature, at, active)
-                  : energy_with<false, 1>(section, quadrature, at, active);
     case 2:
-      return bent ? energy_with<true, 2>(section, quadrature, at, active)
-                  : energy_with<false, 2>(section, quadrature, at, active);
+      if (!bent) return energy_with<false, 2>(section, quadrature, at, active);
+      [[fallthrough]];
     case 3:
       return bent ? energy_with<true, 3>(section, quadrature, at, active)
                   : energy_with<false, 3>(section, quadrature, at, active);

@@ -99,6 +99,35 @@ function number_details(segment, quantities, label) {
   );
 }
 
+/** @returns {HTMLElement?} what other kinds of model say at the asked pressures */
+function kinds_table(segment, quantities, own, label) {
+  const others = list(segment.other_kinds);
+  if (others.length === 0) return null;
+  const asked = segment.curve.filter((point) => point.asked);
+  const at = (kind, pressure) => list(kind.states).find((state) => state.pressure_kPa === pressure);
+  const shown = quantities.filter(({ key }) => key !== "outer_radius_mm");
+  const answered = others.filter((kind) => list(kind.states).length > 0);
+  const columns = shown.flatMap(({ key, name, unit }) => [
+    { head: `${name}, ${own}`, unit, number: true, cell: (p) => measured(p[key]) },
+    ...answered.map((kind) => ({
+      head: `${name}, ${kind.kind}`,
+      unit,
+      number: true,
+      cell: (p) => measured(at(kind, p.pressure_kPa)?.[key]),
+    })),
+  ]);
+  return h(
+    "div",
+    {},
+    table_of(
+      `Kinds of model, ${label}`,
+      [{ head: "Pressure", unit: "kPa", number: true, cell: (p) => given(p.pressure_kPa) }, ...columns],
+      asked,
+    ),
+    others.filter((kind) => kind.refusal).map((kind) => h("p", {}, `${kind.kind} is left out: ${kind.refusal}`)),
+  );
+}
+
 /** @returns {string[]} sentences about what the charts cannot say */
 function segment_sentences(segment, silent, label) {
   const sentences = silent.length ? [`${capital(label)} ${listed(silent)}.`] : [];
@@ -114,8 +143,9 @@ function segment_sentences(segment, silent, label) {
  * @param {boolean} alone
  * @param {PresentPressures} present
  * @param {number} index in the view; negative when it is not there
+ * @param {string} own kind of the model
  */
-function segment_response(segment, alone, present, index) {
+function segment_response(segment, alone, present, index, own) {
   const told = QUANTITIES.filter((quantity) => says_something(quantity, segment.curve));
   const silent = QUANTITIES.filter((quantity) => !told.includes(quantity)).map((quantity) => quantity.silent);
   const label = alone ? "the actuator" : `segment ${segment.segment}`;
@@ -139,6 +169,7 @@ function segment_response(segment, alone, present, index) {
           ),
         ]
       : null,
+    kinds_table(segment, told, own, label),
     number_details(segment, told, label),
   );
 }
@@ -158,6 +189,7 @@ function show_response(report, view_segments, present) {
         segments.length === 1,
         present,
         view_segments.findIndex((one) => one.number === segment.segment),
+        report.design?.model?.kind ?? "",
       ),
     ),
   );

@@ -225,6 +225,64 @@ TEST(DrawnCell, OfAFusedNetAgreesWithAnotherProgramsMesh) {
   EXPECT_LT(ratio, 1.05);
 }
 
+/// Energy gained from `from` to `to` less the work of its gradient on the way, by what it gained;
+/// three Gauss points a step.
+double energy_less_work(UnitCellEnergy& energy, const Deformation& from, const Deformation& to,
+                        int steps) {
+  const auto between = [&](double share) {
+    return Deformation{.elongation = std::lerp(from.elongation, to.elongation, share),
+                       .twist = std::lerp(from.twist, to.twist, share),
+                       .inner_growth = std::lerp(from.inner_growth, to.inner_growth, share),
+                       .bend_1 = std::lerp(from.bend_1, to.bend_1, share),
+                       .bend_2 = std::lerp(from.bend_2, to.bend_2, share)};
+  };
+  const std::array<double, coordinate_count> way = {
+      to.elongation - from.elongation, to.twist - from.twist, to.inner_growth - from.inner_growth,
+      to.bend_1 - from.bend_1, to.bend_2 - from.bend_2};
+  const double start = energy.at(from)->energy.value;
+  double work = 0;
+  for (int i = 0; i < steps; ++i) {
+    for (const auto& [place, weight] :
+         {std::pair{-std::sqrt(0.6), 5.0 / 18}, {0.0, 8.0 / 18}, {std::sqrt(0.6), 5.0 / 18}}) {
+      const auto here = energy.at(between((i + 0.5 + 0.5 * place) / steps));
+      for (std::size_t k = 0; k < way.size(); ++k) {
+        work += weight / steps * way[k] * here->energy.gradient[k];
+      }
+    }
+  }
+  const double gained = energy.at(to)->energy.value - start;
+  return (gained - work) / gained;
+}
+
+TEST(DrawnCell, StoresTheWorkThatIsDone) {
+  UnitCellEnergy twisting(*find_unit_cell(elongating(0.5)).cell);
+  EXPECT_NEAR(
+      energy_less_work(twisting, {}, {.elongation = 0.06, .twist = 0.003, .inner_growth = 0.8}, 1),
+      0, 1e-5);
+  // Bent, by a coarse mesh of the whole circumference.
+  const Segment bending = waves(halves(16, 2.5, 2), 0.25);
+  const CellMesh mesh =
+      swept_cell(bending, plane_of(bending, 16, 8), {.repeats = 1, .mirrored = true}, {.liner = 1});
+  UnitCellEnergy bent({.coarse = mesh, .fine = mesh, .kind = UnitCellKind::drawn, .assumed = {}});
+  EXPECT_NEAR(energy_less_work(
+                  bent, {},
+                  {.elongation = 0.05, .inner_growth = 0.5, .bend_1 = 0.002, .bend_2 = -0.001}, 1),
+              0, 1e-5);
+}
+
+TEST(DrawnCell, IsGivenUpAfterTheFactorisationsItMayTake) {
+  const CellMesh mesh = one_column();
+  UnitCellEnergy energy({.coarse = mesh, .fine = mesh, .kind = UnitCellKind::drawn, .assumed = {}},
+                        12);
+  int states = 0;
+  while (states < 20 && energy.at({.elongation = 0.01 * (states + 1)})) ++states;
+  EXPECT_GE(states, 3);
+  EXPECT_LT(states, 13);
+  EXPECT_TRUE(energy.exhausted());
+  EXPECT_FALSE(energy.buckled());
+  EXPECT_TRUE(energy.at({})) << "rest is always known";
+}
+
 TEST(DrawnCell, OfTheMirroredLatticeTwistsTheOtherWay) {
   const std::vector<double> pressures = {30};
   // Mirrored by half a wave: rings on the other junctions.
