@@ -106,7 +106,7 @@ void describe_predict(CLI::App& predict, CommandLine& typed, const CommandWords&
   predict.add_flag("--kinds", typed.kinds,
                    "layered and calibrated section and unit cell side by side");
   predict.add_flag("--wall", typed.wall,
-                   "bulging, largest strains and traction on the bond, by the unit cell");
+                   "bulging, strains and traction on the bond, by the unit cell");
   predict.add_flag("--times", typed.times, "the time of each solution, in csv and json");
   predict.footer(
       "Example: a softer wall under three pressures, as a file for a spreadsheet\n"

@@ -55,8 +55,8 @@ void add_row(const std::vector<KindPrediction>& known, const Design& design, std
       continue;
     }
     if (!missing.reason.empty()) missing.reason += "; ";
-    missing.reason += fmt::format("{}: {}", word_of(one.kind, wall_kinds),
-                                  reason_of(response, pressure));
+    missing.reason +=
+        fmt::format("{}: {}", word_of(one.kind, wall_kinds), reason_of(response, pressure));
   }
   if (missing.reason.empty()) {
     numbers.rows.push_back(std::move(row));

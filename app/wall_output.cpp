@@ -42,13 +42,13 @@ NumberRows predict_walls(const Design& design, const std::vector<double>& pressu
       }
       if (!wall) {
         numbers.missing.push_back({{{"segment", number}, {"pressure_kPa", pressures[i]}},
-                                          response.states[i] ? "the cell cannot be followed"
-                                                             : reason_of(response, pressures[i])});
+                                   response.states[i] ? "the cell cannot be followed"
+                                                      : reason_of(response, pressures[i])});
         continue;
       }
       numbers.rows.push_back({number, pressures[i], wall->bulge_mm, wall->lattice_strain,
-                                     wall->liner_strain, kpa_from_mpa(wall->bond_shear_mpa),
-                                     kpa_from_mpa(wall->bond_pull_mpa)});
+                              wall->liner_strain, kpa_from_mpa(wall->bond_shear_mpa),
+                              kpa_from_mpa(wall->bond_pull_mpa)});
     }
   }
   return numbers;

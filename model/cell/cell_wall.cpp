@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
+#include <utility>
 #include <vector>
 
 #include "geometry/mesh/point_algebra.h"
@@ -126,8 +128,43 @@ Point times(const Tensor& tensor, const Point& vector) {
   return result;
 }
 
+/// Values that stand for shares of a part.
+class Spread {
+ public:
+  void add(double value, double share) { values_.emplace_back(value, share); }
+
+  /// What a hundredth of the part exceeds; zero where there is nothing.
+  double exceeded_by_a_hundredth() {
+    double rest = 0;
+    for (const auto& [value, share] : values_) rest += 0.01 * share;
+    std::sort(values_.begin(), values_.end(), std::greater<>());
+    for (const auto& [value, share] : values_) {
+      rest -= share;
+      if (rest <= 0) return value;
+    }
+    return 0;
+  }
+
+  double mean() const {
+    double sum = 0;
+    double whole = 0;
+    for (const auto& [value, share] : values_) {
+      sum += value * share;
+      whole += share;
+    }
+    return whole > 0 ? sum / whole : 0;
+  }
+
+ private:
+  std::vector<std::pair<double, double>> values_;
+};
+
+struct WallSpreads {
+  Spread lattice_strain, liner_strain, bond_shear, bond_pull;
+};
+
 /// Of the surface that was square to the radius at rest.
-void add_traction(const ElementPoint& point, CellWall& wall) {
+void add_traction(const ElementPoint& point, WallSpreads& wall) {
   const double radius = std::hypot(point.place[0], point.place[1]);
   const Point outward = {point.place[0] / radius, point.place[1] / radius, 0};
   const Point force = times(point.stress, outward);
@@ -135,8 +172,9 @@ void add_traction(const ElementPoint& point, CellWall& wall) {
   const double size = length(area);
   const double pull = dot(force, area) / (size * size);
   const Point along = moved(force, area, -pull / size);
-  wall.bond_shear_mpa = std::max(wall.bond_shear_mpa, length(along) / size);
-  wall.bond_pull_mpa = std::max(wall.bond_pull_mpa, pull);
+  // All of them stand for one share of the liner's thickness.
+  wall.bond_shear.add(length(along) / size, point.volume_mm3);
+  wall.bond_pull.add(pull, point.volume_mm3);
 }
 
 /// Whether all of an element's nodes on the liner's outside lie under a member, and some do.
@@ -153,17 +191,17 @@ bool is_bonded(const Element& element, const std::vector<Place>& places) {
 template <std::size_t N>
 bool add_elements(const CellMesh& mesh, const std::vector<CellElement<N>>& elements,
                   const std::vector<Place>& places, const Displacements& moved,
-                  const TubeStrain& strain, CellWall& wall) {
+                  const TubeStrain& strain, WallSpreads& wall) {
   for (const CellElement<N>& element : elements) {
     std::array<std::array<double, 3>, N> displacement;
     for (std::size_t a = 0; a < N; ++a) displacement[a] = moved[element.nodes[a]];
     const auto points = element_points<N>(mesh, element, displacement, strain);
     if (points.empty()) return false;
-    double& largest =
+    Spread& strains =
         element.material == lattice_material ? wall.lattice_strain : wall.liner_strain;
     const bool bonded = is_bonded(element, places);
     for (const ElementPoint& point : points) {
-      largest = std::max(largest, largest_stretch(point.gradient) - 1);
+      strains.add(largest_stretch(point.gradient) - 1, point.volume_mm3);
       // The third coordinate leads outwards; three points along it.
       if (bonded && point.own[2] > 0.5) add_traction(point, wall);
     }
@@ -182,13 +220,15 @@ std::optional<CellWall> CellWalls::at(const Deformation& deformation) {
   const std::vector<Place> found = places(mesh_);
   std::vector<Growth> grown = growths(mesh_, found, moved);
   if (bends_) level(grown);
-  CellWall wall;
-  wall.bulge_mm = bulge_mm(grown);
-  wall.bond_pull_mpa = -HUGE_VAL;
   const TubeStrain strain = cell_.tube_strain();
-  if (!add_elements(mesh_, mesh_.hexahedra, found, moved, strain, wall)) return std::nullopt;
-  if (!add_elements(mesh_, mesh_.wedges, found, moved, strain, wall)) return std::nullopt;
-  return wall;
+  WallSpreads spreads;
+  if (!add_elements(mesh_, mesh_.hexahedra, found, moved, strain, spreads)) return std::nullopt;
+  if (!add_elements(mesh_, mesh_.wedges, found, moved, strain, spreads)) return std::nullopt;
+  return CellWall{.bulge_mm = bulge_mm(grown),
+                  .lattice_strain = spreads.lattice_strain.exceeded_by_a_hundredth(),
+                  .liner_strain = spreads.liner_strain.exceeded_by_a_hundredth(),
+                  .bond_shear_mpa = spreads.bond_shear.mean(),
+                  .bond_pull_mpa = spreads.bond_pull.mean()};
 }
 
 }  // namespace latticast

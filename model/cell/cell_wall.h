@@ -10,16 +10,17 @@
 
 namespace latticast {
 
-/// On the cell's finer mesh. Strains are largest principal stretches - 1, those of the cell's Gauss
-/// points: at corners of the drawing, where an elastic body's strain has no bound, they grow slowly
-/// as the mesh is refined.
+/// On the cell's finer mesh. At corners of the drawing and edges of the bond, stress in an elastic
+/// body has no bound; so strains are what a hundredth of the part's volume exceeds, tractions means
+/// over the bond.
 struct CellWall {
   double bulge_mm = 0;        ///< how much farther out the liner's outside comes between members
                               ///< than under them, at most
-  double lattice_strain = 0;  ///< along whatever direction is stretched most
+  double lattice_strain = 0;  ///< largest principal stretch - 1
   double liner_strain = 0;
-  /// Between liner and lattice, per present area, in the liner's outermost Gauss points: along the
-  /// bond, and away from the liner (negative where it is pressed on it everywhere).
+  /// Between liner and lattice, per present area: the magnitude of what acts along the bond, and
+  /// what acts away from the liner (negative: pressed on it); in the liner's outermost Gauss
+  /// points.
   double bond_shear_mpa = 0;
   double bond_pull_mpa = 0;
 };

@@ -339,6 +339,7 @@ std::vector<ElementPoint> element_points(const CellMesh& mesh, const CellElement
     const auto energy = isochoric_energy(material.law, at.gradient);
     if (!energy) return {};
     ElementPoint& point = points.emplace_back();
+    point.volume_mm3 = at.volume;
     point.own = shape.points[g].place;
     point.gradient = at.gradient;
     const double p = pressure.dot(basis(shape.points[g]));

@@ -47,6 +47,7 @@ bool evaluate(const CellMesh& mesh, const CellElement<N>& element,
 
 /// At a Gauss point, in the section's moving frame.
 struct ElementPoint {
+  double volume_mm3 = 0;          ///< at rest, that the point stands for
   std::array<double, 3> own{};    ///< coordinates of the element
   std::array<double, 3> place{};  ///< at rest: x, y, z in mm
   Tensor gradient{};              ///< F
