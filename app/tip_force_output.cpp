@@ -23,10 +23,10 @@ TipForceAnswer predict_tip_forces(const Design& design, const std::vector<double
                                        force->tip_height_mm});
       } else {
         answer.complete = false;
-        answer.numbers.missing.push_back(
-            {{{"segment", static_cast<double>(s + 1)}, {"pressure_kPa", pressure}},
-             "the free segment has no stable equilibrium, or the one against the stop was not "
-             "found"});
+        MissingRow& missing = answer.numbers.missing.emplace_back();
+        missing.of = {{"segment", static_cast<double>(s + 1)}, {"pressure_kPa", pressure}};
+        missing.reason =
+            "the free segment has no stable equilibrium, or the one against the stop was not found";
       }
     }
   }
