@@ -123,6 +123,11 @@ for command in "predict missing.toml" "build new.toml -o lost --only liner" "aud
     "$program" $command 2>&- >"$work/out"; lost "$command 2>&-"
   }
 done
+# What nobody wrote to is not lost; what cannot be read is told.
+"$program" -q predict new.toml --pressure 10 -o answer.csv >&- 2>&-
+[[ $? -eq 0 ]] || wrong "a closed output that is not written to is no loss"
+expect 4 bash -c '"$1" predict - <&-' _ "$program"
+err_says "standard input"
 holds test "$(ls -A lost)" = "$(cd new && ls twisting-36-liner.*)"
 holds cmp lost/twisting-36-liner.stl new/twisting-36-liner.stl
 echo "lost output: $lost"
