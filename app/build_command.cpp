@@ -40,15 +40,15 @@ ExitStatus run_build(const BuildArguments& arguments, const Console& console) {
   watch_for_interrupt();
   const CheckFindings findings = checks_before_build(prepared, plan);
   if (!may_build(findings, arguments.force, console)) return ExitStatus::check_failed;
-  try {
-    const BuildOrder order{*design, prepared, plan, findings, arguments.folder, arguments.times};
-    console.data(build_parts(order, console));
-  } catch (const AuditFailed& fault) {
-    console.error(fault.what());
-    return ExitStatus::check_failed;
+  const BuildOrder order{*design, prepared, plan, findings, arguments.folder, arguments.times};
+  const BuildResult built = build_parts(order, console);
+  console.data(built.files);
+  for (const Failure& failure : built.failures) console.error(failure.text);
+  if (!built.files.empty()) {
+    console.note(fmt::format("{}files are in {}", built.failures.empty() ? "" : "all other ",
+                             arguments.folder.string()));
   }
-  console.note(fmt::format("files are in {}", arguments.folder.string()));
-  return ExitStatus::done;
+  return built.failures.empty() ? ExitStatus::done : built.failures.front().status;
 }
 
 }  // namespace latticast

@@ -36,6 +36,7 @@ ReportPiece report_piece(const DeliveredPiece& piece) {
                        .files = piece.files,
                        .material = piece.material,
                        .volume_mm3 = piece.volume_mm3,
+                       .prints = piece.prints,
                        .mesh = {}};
   if (piece.mesh) reported.mesh = report_mesh(*piece.mesh);
   return reported;
@@ -70,14 +71,16 @@ void complete_report(const BuildOrder& order, const Delivered& delivered, Report
 }
 
 std::vector<ReportFile> report_files(ReportData& report, const ReportView& view,
-                                     const BuildOrder& order) {
+                                     const BuildOrder& order,
+                                     const std::vector<ReportPicture>& pictures) {
   const std::string stem = order.design.name;
   std::vector<ReportFile> files = {{stem + "-report.html", "", "everything at a glance"},
                                    {stem + "-report.json", "", "the same for programs"}};
   if (report.curves) files.push_back({stem + "-response.csv", "", "the response to pressure"});
   for (const ReportFile& file : files) report.files.push_back(file.name);
-  files[0].bytes = report_page({stem, report_json(report, order.times_in_report),
-                                view_json(view, order.design, order.findings), view_glb(view)});
+  files[0].bytes =
+      report_page({stem, report_json(report, order.times_in_report), view_json(view, order.design, order.findings),
+                   view_glb(view), pictures});
   files[1].bytes = report_json(report, order.times_in_report);
   if (report.curves) files[2].bytes = response_csv(report);
   return files;

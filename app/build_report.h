@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "report/report_page.h"
+
 namespace latticast {
 
 struct BuildOrder;
@@ -25,9 +27,10 @@ struct ReportFile {
   std::string meaning;  ///< for people, a few words
 };
 
-/// The page, its numbers as JSON, and the response as CSV where there is one. Adds their names to
-/// the report's files before anything is written.
+/// The page, with pictures, its numbers as JSON, and the response as CSV where there is one. Adds
+/// their names to the report's files before anything is written.
 std::vector<ReportFile> report_files(ReportData& report, const ReportView& view,
-                                     const BuildOrder& order);
+                                     const BuildOrder& order,
+                                     const std::vector<ReportPicture>& pictures);
 
 }  // namespace latticast

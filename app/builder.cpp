@@ -35,15 +35,28 @@ std::vector<MakerOf> makers() {
   };
 }
 
+// Its files stay, or none of them.
+template <class Work>
+void attempt(Build& build, const Work& work) {
+  const Delivery::Mark before = build.delivery.mark();
+  try {
+    work();
+  } catch (const std::exception&) {
+    build.failures.push_back(product_failure());
+    build.delivery.take_back(before);
+  }
+}
+
 void make_all(Build& build) {
   std::vector<Task> tasks;
   for (const MakerOf& maker : makers()) {
     const auto runs = [&](Stage stage) { return build.order.plan.runs(stage); };
-    if (std::any_of(maker.stages.begin(), maker.stages.end(), runs)) maker.make(build, tasks);
+    if (!std::any_of(maker.stages.begin(), maker.stages.end(), runs)) continue;
+    attempt(build, [&] { maker.make(build, tasks); });
   }
   std::stable_sort(tasks.begin(), tasks.end(),
                    [](const Task& a, const Task& b) { return a.round < b.round; });
-  for (const Task& task : tasks) task.run();
+  for (const Task& task : tasks) attempt(build, task.run);
 }
 
 }  // namespace
@@ -54,7 +67,7 @@ double Build::start_z_mm(std::size_t segment) const {
   return start;
 }
 
-std::string build_parts(const BuildOrder& order, const Console& console) {
+BuildResult build_parts(const BuildOrder& order, const Console& console) {
   Delivery delivery(order.design, order.folder, console);
   Build build{order, delivery, {}};
   try {
@@ -67,8 +80,8 @@ std::string build_parts(const BuildOrder& order, const Console& console) {
                     "it was before",
                     delivery.progress().percent(), delivery.ready(), order.folder.string()));
   }
-  delivery.commit();
-  return delivery.summary();
+  if (delivery.ready() > 0) delivery.commit();
+  return {delivery.summary(), std::move(build.failures)};
 }
 
 }  // namespace latticast

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/console.h"
+#include "app/product_failure.h"
 
 namespace latticast {
 
@@ -16,7 +17,7 @@ struct Design;
 struct Plan;
 struct PreparedDesign;
 
-/// A mesh that this program made fails its own audit: nothing is delivered.
+/// A mesh that this program made fails its own audit: it is not delivered.
 struct AuditFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -30,10 +31,14 @@ struct BuildOrder {
   bool times_in_report = false;  ///< its JSON then differs from run to run
 };
 
-/// Makes everything in the plan; the files appear in the folder together, or not at all. Returns
-/// the list of files, for people: a line each. Throws AuditFailed, Interrupted (which says how many
-/// files were ready), FileError, UnsupportedDesign, GeometryError, CannotDraw, CannotMold,
-/// NoEquilibrium.
-std::string build_parts(const BuildOrder& order, const Console& console);
+struct BuildResult {
+  std::string files;              ///< the list of them, for people: a line each
+  std::vector<Failure> failures;  ///< of products that were not made
+};
+
+/// Makes everything in the plan. A product that cannot be made leaves none of its files, and the
+/// others are made all the same; their files appear in the folder together, or not at all. Throws
+/// Interrupted (which says how many files were ready) and FileError.
+BuildResult build_parts(const BuildOrder& order, const Console& console);
 
 }  // namespace latticast

@@ -10,6 +10,7 @@
 #include "app/builder.h"
 #include "app/file_error.h"
 #include "design/design.h"
+#include "design/text/written_number.h"
 #include "export/mesh/mesh_file.h"
 #include "files/atomic_file.h"
 #include "geometry/mesh/weld.h"
@@ -18,8 +19,9 @@
 namespace latticast {
 namespace {
 
-void prove(const std::string& file, const Solid& solid, const Audit& result) {
-  if (!result.passes()) {
+void prove(const std::string& file, const Part& part, const Solid& solid, const Audit& result) {
+  const bool touches = part.touches_itself && result.has_only(Defect::self_intersection);
+  if (!result.passes() && !touches) {
     throw AuditFailed(
         fmt::format("{} fails its audit and was not written:\n{}", file, audit_findings(result)));
   }
@@ -65,26 +67,36 @@ std::filesystem::path Delivery::add_file(const std::string& name) {
   return staging_.add(name);
 }
 
+void Delivery::tell_of_contact(const Part& part, const Audit& result) {
+  const Point& at = result.findings.front().where;
+  tell(
+      fmt::format("{}: touches itself, first at x {}, y {}, z {}; contact is not modelled, and the "
+                  "shape runs through itself there\n",
+                  part.stem, written(at[0], 4), written(at[1], 4), written(at[2], 4)));
+}
+
 void Delivery::write_listed(const std::string& name, const std::string& bytes) {
   write_file_atomically(staging_.add(name), bytes);
   ++ready_;
 }
 
-void Delivery::deliver(const Part& part, const Solid& solid) {
+void Delivery::deliver(const Part& part, const Solid& solid, const Audit* known) {
   std::vector<std::string> files;
-  TriangleMesh proved;
-  Audit result;
+  // Most formats keep the mesh bit for bit: what was proved of it, or of one file, holds for the
+  // next.
+  TriangleMesh proved = known != nullptr ? weld(solid.mesh) : TriangleMesh{};
+  Audit result = known != nullptr ? *known : Audit{};
+  if (known != nullptr) prove(part.stem, part, solid, result);
   for (const MeshFormat format : design_.output.formats) {
     const std::string file = part.stem + std::string(extension(format));
     const std::filesystem::path path = staging_.add(file);
     progress_.begin("writing " + file);
-    write_mesh(path, solid.mesh, format, part.colours);
+    write_mesh(path, solid.mesh, format, {part.colour, part.vertex_colours, part.vertex_strains});
     progress_.begin("proving " + file);
     TriangleMesh in_file = weld(read_mesh(path));
-    // Most formats keep the mesh bit for bit: what was proved of one file holds for the next.
-    if (files.empty() || !same_triangles(in_file, proved)) {
+    if (proved.triangles.empty() || !same_triangles(in_file, proved)) {
       result = audit(in_file);
-      prove(file, solid, result);
+      prove(file, part, solid, result);
       proved = std::move(in_file);
     }
     summary_ += fmt::format("{}: {}, {}\n", file, audit_summary(result),
@@ -92,6 +104,7 @@ void Delivery::deliver(const Part& part, const Solid& solid) {
     files.push_back(file);
     ++ready_;
   }
+  if (part.touches_itself && !result.passes()) tell_of_contact(part, result);
   delivered_.files.insert(delivered_.files.end(), files.begin(), files.end());
   if (!part.kind.empty()) {
     record({.name = part.stem,
@@ -100,9 +113,23 @@ void Delivery::deliver(const Part& part, const Solid& solid) {
             .files = files,
             .material = part.material,
             .volume_mm3 = result.volume_mm3,
+            .prints = part.prints,
             .mesh = DeliveredMesh{result, error_of_file(solid, result)}});
   }
   note_time(part.stem);
+}
+
+Delivery::Mark Delivery::mark() const {
+  return {staging_.count(), delivered_.files.size(), delivered_.pieces.size(), summary_.size(),
+          ready_};
+}
+
+void Delivery::take_back(const Mark& mark) {
+  staging_.take_back(mark.staged);
+  delivered_.files.resize(mark.files);
+  delivered_.pieces.resize(mark.pieces);
+  summary_.resize(mark.summary);
+  ready_ = mark.ready;
 }
 
 void Delivery::note_time(const std::string& stage) {

@@ -33,7 +33,11 @@ struct Part {
   std::string kind;  ///< empty: a preview, which is no piece of the actuator
   std::size_t segment = 0;
   const Material* material = nullptr;  ///< none for what the printer prints
-  std::vector<Colour> colours = {};    ///< of the vertices, in formats that have them
+  Colour colour = usual_colour;
+  int prints = 1;               ///< how many are needed
+  bool touches_itself = false;  ///< a moved part that does, which is no fault of its mesh
+  std::vector<Colour> vertex_colours = {};  ///< in formats that have them
+  std::vector<double> vertex_strains = {};  ///< likewise
 };
 
 /// What the audit of a part's files found.
@@ -50,6 +54,7 @@ struct DeliveredPiece {
   std::vector<std::string> files = {};
   const Material* material = nullptr;
   double volume_mm3 = 0;
+  int prints = 1;                          ///< how many are needed
   std::optional<DeliveredMesh> mesh = {};  ///< absent for what is poured
 };
 
@@ -83,8 +88,9 @@ class Delivery {
   void list_file(const std::string& name) { delivered_.files.push_back(name); }
   void write_listed(const std::string& name, const std::string& bytes);
 
-  /// Writes a solid in every format, reads each file back and proves it. Throws AuditFailed.
-  void deliver(const Part& part, const Solid& solid);
+  /// Writes a solid in every format, reads each file back and proves it. `known` is the audit of
+  /// its mesh, welded, where that has been made. Throws AuditFailed.
+  void deliver(const Part& part, const Solid& solid, const Audit* known = nullptr);
 
   void record(DeliveredPiece piece) { delivered_.pieces.push_back(std::move(piece)); }
   /// A line, or several, of the list for people.
@@ -92,10 +98,24 @@ class Delivery {
   /// The time since the note before: all that was done for this stage.
   void note_time(const std::string& stage);
 
+  /// How far the delivery has come.
+  struct Mark {
+    std::size_t staged = 0;
+    std::size_t files = 0;
+    std::size_t pieces = 0;
+    std::size_t summary = 0;
+    int ready = 0;
+  };
+  Mark mark() const;
+  /// Forgets what has come since.
+  void take_back(const Mark& mark);
+
   /// The files appear in the folder.
   void commit() { staging_.commit(); }
 
  private:
+  void tell_of_contact(const Part& part, const Audit& result);
+
   const Design& design_;
   const Console& console_;
   Progress progress_;

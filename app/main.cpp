@@ -25,14 +25,7 @@
 #include "app/audit_command.h"
 #include "app/build_command.h"
 #include "app/interrupt.h"
-#include "geometry/pattern/cannot_draw.h"
-#include "geometry/solid/geometry_error.h"
-#if LATTICAST_HAS_MOLDS
-#include "molds/cannot_mold.h"
-#endif
-#if LATTICAST_HAS_PREDICT
-#include "report/no_equilibrium.h"
-#endif
+#include "app/product_failure.h"
 #endif
 
 namespace latticast {
@@ -88,7 +81,17 @@ ExitStatus run_command(const CommandLine& typed, const Console& console) {
 // Every typed error of the libraries has its exit status here.
 ExitStatus run_guarded(const CommandLine& typed, const Console& console) {
   try {
+#if LATTICAST_HAS_GEOMETRY
+    try {
+      return run_command(typed, console);
+    } catch (const std::exception&) {
+      const Failure failure = product_failure();
+      console.error(failure.text);
+      return failure.status;
+    }
+#else
     return run_command(typed, console);
+#endif
   } catch (const FileError& fault) {
     console.error(fault.what());
     return ExitStatus::file_error;
@@ -96,25 +99,9 @@ ExitStatus run_guarded(const CommandLine& typed, const Console& console) {
     console.error(fault.what());
     return ExitStatus::invalid;
 #if LATTICAST_HAS_GEOMETRY
-  } catch (const CannotDraw& fault) {
-    console.error(fault.what());
-    return ExitStatus::invalid;
-  } catch (const GeometryError& fault) {
-    console.error(fault.what());
-    return ExitStatus::check_failed;
   } catch (const Interrupted& fault) {
     console.error(fault.what());
     return ExitStatus::interrupted;
-#if LATTICAST_HAS_MOLDS
-  } catch (const CannotMold& fault) {
-    console.error(fault.what());
-    return ExitStatus::invalid;
-#endif
-#if LATTICAST_HAS_PREDICT
-  } catch (const NoEquilibrium& fault) {
-    console.error(fault.what());
-    return ExitStatus::no_equilibrium;
-#endif
 #endif
   } catch (const std::invalid_argument& fault) {
     console.error(fault.what());

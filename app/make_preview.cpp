@@ -6,6 +6,7 @@
 #include "design/text/written_number.h"
 #include "export/mesh/glb_file.h"
 #include "export/picture/png_file.h"
+#include "files/atomic_file.h"
 #include "model/shape/shape.h"
 #include "prepared/prepared_design.h"
 #include "report/preview.h"
@@ -19,63 +20,65 @@ struct PreviewParts {
   Scene scene;
 };
 
-// A lattice or liner before it is moved.
-struct RestPart {
+struct PartKind {
   std::size_t segment = 0;
   bool is_liner = false;
-  Solid solid;
-  StrainColours colours;
 
-  const char* kind() const { return is_liner ? "liner" : "lattice"; }
+  const char* name() const { return is_liner ? "liner" : "lattice"; }
+  Colour colour() const { return is_liner ? liner_colour : lattice_colour; }
 };
 
-// The wall is incompressible; bending alone makes one side larger and the other smaller.
-void keep_volume(const Solid& rest, Solid& moved) {
-  moved.volume_mm3 = rest.volume_mm3;
-  moved.volume_bound_mm3 = moved.error.volume_mm3;
-  moved.error.volume_mm3 = rest.error.volume_mm3;
-}
-
-Solid moved_solid(const Solid& rest, const Shape& shape, std::size_t segment) {
-  Solid moved{
-      .mesh = moved_mesh(rest.mesh, shape, segment), .pieces = rest.pieces, .genus = rest.genus};
-  moved.error = moved_error(rest, moved.mesh, shape, segment);
-  if (shape.bend_rad(segment) == 0) keep_volume(rest, moved);
-  return moved;
-}
-
-RestPart rest_part(Build& build, std::size_t s, bool is_liner, const SolidOptions& options,
-                   const std::vector<PreviewShape>& shapes) {
-  const Segment& segment = build.design().segments[s];
+PreviewPart made_part(Build& build, const PartKind& kind, const std::vector<PreviewShape>& shapes) {
   Delivery& delivery = build.delivery;
-  RestPart rest{s,
-                is_liner,
-                is_liner ? liner_solid(segment, options)
-                         : lattice_solid(build.order.prepared.lattices.of(s), options),
-                {}};
-  if (!delivery.writes(MeshFormat::ply)) return rest;
-  rest.colours = strain_colours(segment, s, is_liner, rest.solid.mesh, options, shapes);
-  delivery.tell(fmt::format("{}: colours in PLY from strain {} to {}\n",
-                            delivery.part_name(s, fmt::format("preview-{}", rest.kind())),
-                            written(rest.colours.ramp.low, 6), written(rest.colours.ramp.high, 6)));
-  return rest;
+  const std::size_t s = kind.segment;
+  const Segment& segment = build.design().segments[s];
+  const auto rest = [&](const SolidOptions& options) {
+    return kind.is_liner ? liner_solid(segment, options)
+                         : lattice_solid(build.order.prepared.lattices.of(s), options);
+  };
+  const auto begin = [&](std::size_t i) {
+    delivery.progress().begin(
+        delivery.part_name(s, fmt::format("preview-{}-{}", shapes[i].label, kind.name())));
+  };
+  const SolidOptions options = preview_options(build.design(), s, build.start_z_mm(s), shapes);
+  return preview_part({rest, begin}, s, options, shapes);
 }
 
-void make_part(Build& build, const RestPart& rest, const std::vector<PreviewShape>& shapes,
+// Where parts have colours: those of strains, on one scale for all shapes.
+StrainColours colours_of(Build& build, const PartKind& kind, const PreviewPart& part,
+                         const std::vector<PreviewShape>& shapes) {
+  Delivery& delivery = build.delivery;
+  if (!delivery.writes(MeshFormat::ply)) return {};
+  StrainColours colours = strain_colours(build.design().segments[kind.segment], kind.segment,
+                                         kind.is_liner, part.rest.mesh, part.options, shapes);
+  delivery.tell(
+      fmt::format("{}: colours in PLY from strain {} to {}\n",
+                  delivery.part_name(kind.segment, fmt::format("preview-{}", kind.name())),
+                  written(colours.ramp.low, 6), written(colours.ramp.high, 6)));
+  return colours;
+}
+
+void make_part(Build& build, const PartKind& kind, const std::vector<PreviewShape>& shapes,
                PreviewParts& parts) {
   Delivery& delivery = build.delivery;
-  const std::size_t s = rest.segment;
-  SceneBody body{delivery.part_name(s, rest.kind()), rest.solid.mesh,
-                 rest.is_liner ? preview_liner_colour : preview_lattice_colour};
+  PreviewPart made = made_part(build, kind, shapes);
+  const StrainColours colours = colours_of(build, kind, made, shapes);
+  SceneBody body{delivery.part_name(kind.segment, kind.name()), made.rest.mesh, kind.colour()};
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    Part part{delivery.part_name(s, fmt::format("preview-{}-{}", shapes[i].label, rest.kind())), "",
-              s};
-    if (!rest.colours.of_shape.empty()) part.colours = rest.colours.of_shape[i];
-    delivery.progress().begin(part.stem);
-    Solid moved = moved_solid(rest.solid, shapes[i].shape, s);
-    delivery.deliver(part, moved);
+    Part part{.stem = delivery.part_name(
+                  kind.segment, fmt::format("preview-{}-{}", shapes[i].label, kind.name())),
+              .kind = "",
+              .segment = kind.segment,
+              .colour = kind.colour(),
+              .touches_itself = made.touches[i] != 0};
+    if (!colours.of_shape.empty()) {
+      part.vertex_colours = colours.of_shape[i];
+      part.vertex_strains = colours.strains[i];
+    }
+    Solid& moved = made.moved[i];
+    delivery.deliver(part, moved, &made.audits[i]);
     body.targets.push_back({shapes[i].label, moved.mesh.vertices});
-    parts.picture.push_back({std::move(moved.mesh), i, rest.is_liner});
+    parts.picture.push_back({std::move(moved.mesh), i, kind.is_liner});
   }
   parts.scene.bodies.push_back(std::move(body));
   parts.scene.animated = true;
@@ -87,15 +90,16 @@ void preview(Build& build) {
   const std::vector<PreviewShape> shapes = predict_preview(build.order.prepared.responses);
   PreviewParts parts;
   for (std::size_t s = 0; s < design.segments.size(); ++s) {
-    const SolidOptions options = preview_options(design, s, build.start_z_mm(s), shapes);
     for (const bool is_liner : {false, true}) {
       if (!is_liner && !design.segments[s].lattice) continue;
-      make_part(build, rest_part(build, s, is_liner, options, shapes), shapes, parts);
+      make_part(build, {s, is_liner}, shapes, parts);
     }
   }
   const std::string picture = design.name + "-preview.png";
   delivery.progress().begin(picture);
-  write_png(delivery.add_file(picture), preview_picture(parts.picture, shapes));
+  build.pictures.push_back({"Shapes under pressure",
+                            encode_png(preview_picture(parts.picture, shapes, design.segments))});
+  write_file_atomically(delivery.add_file(picture), build.pictures.back().png);
   delivery.tell(fmt::format("{}: {} shapes side by side\n", picture, shapes.size()));
   if (delivery.writes(MeshFormat::glb)) {
     const std::string animation = design.name + "-preview.glb";

@@ -22,7 +22,7 @@ void report(Build& build) {
   delivery.note_time("report, view");
   delivery.progress().begin("report: page");
   complete_report(build.order, delivery.delivered(), report);
-  for (const ReportFile& file : report_files(report, view, build.order)) {
+  for (const ReportFile& file : report_files(report, view, build.order, build.pictures)) {
     delivery.write_listed(file.name, file.bytes);
     delivery.tell(fmt::format("{}: {}\n", file.name, file.meaning));
   }

@@ -19,7 +19,7 @@ SolidOptions rest_options(const Build& build, std::size_t segment) {
 void deliver_at_rest(Build& build, const Part& part, const Solid& solid) {
   build.delivery.deliver(part, solid);
   if (build.delivery.writes(MeshFormat::three_mf)) {
-    build.together.push_back({part.stem, solid.mesh});
+    build.together.push_back({part.stem, solid.mesh, part.colour});
   }
 }
 
@@ -48,9 +48,11 @@ void make_lattices(Build& build, std::vector<Task>& tasks) {
   build.delivery.expect_meshes(segments.size());
   for (std::size_t s = 0; s < segments.size(); ++s) {
     if (!segments[s].lattice) continue;
+    ++build.expected_together;
     tasks.push_back({s, [&build, s] {
                        const Part part{build.delivery.part_name(s, "lattice"), "lattice", s,
-                                       &build.design().segments[s].lattice->material};
+                                       &build.design().segments[s].lattice->material,
+                                       lattice_colour};
                        build.delivery.progress().begin(part.stem);
                        deliver_at_rest(build, part,
                                        lattice_solid(build.order.prepared.lattices.of(s),
@@ -62,11 +64,12 @@ void make_lattices(Build& build, std::vector<Task>& tasks) {
 void make_liners(Build& build, std::vector<Task>& tasks) {
   const std::vector<Segment>& segments = build.design().segments;
   build.delivery.expect_meshes(segments.size());
+  build.expected_together += segments.size();
   for (std::size_t s = 0; s < segments.size(); ++s) {
     tasks.push_back({s, [&build, s] {
                        const Segment& segment = build.design().segments[s];
                        const Part part{build.delivery.part_name(s, "liner"), "liner", s,
-                                       &segment.liner.material};
+                                       &segment.liner.material, liner_colour};
                        build.delivery.progress().begin(part.stem);
                        deliver_at_rest(build, part, liner_solid(segment, rest_options(build, s)));
                      }});
@@ -84,7 +87,8 @@ void make_flat_patterns(Build& build, std::vector<Task>& tasks) {
 // 3MF holds several parts in their places; each was proved in its own file.
 void make_rest_together(Build& build, std::vector<Task>& tasks) {
   tasks.push_back({build.design().segments.size(), [&build] {
-                     if (build.together.size() < 2) return;
+                     const bool all = build.together.size() == build.expected_together;
+                     if (build.together.size() < 2 || !all) return;
                      const std::string file = build.design().name + ".3mf";
                      write_three_mf(build.delivery.add_file(file), build.together);
                      build.delivery.tell(fmt::format("{}: {} parts in their places\n", file,

@@ -10,6 +10,7 @@
 #include "app/builder.h"
 #include "app/delivery.h"
 #include "export/mesh/three_mf_file.h"
+#include "report/report_page.h"
 
 namespace latticast {
 
@@ -18,6 +19,9 @@ struct Build {
   const BuildOrder& order;
   Delivery& delivery;
   std::vector<NamedMesh> together;  ///< parts at rest, for the 3MF file of all of them
+  std::size_t expected_together = 0;
+  std::vector<Failure> failures = {};        ///< so far
+  std::vector<ReportPicture> pictures = {};  ///< for the report
 
   const Design& design() const { return order.design; }
   double start_z_mm(std::size_t segment) const;  ///< where it begins along the actuator

@@ -138,9 +138,10 @@ class MeshPlanner {
 #if LATTICAST_HAS_PREDICT
   void add_preview(std::size_t s, const std::vector<PreviewShape>& shapes) {
     const SolidOptions moved = preview_options(design(), s, 0, shapes);
-    const auto at = [moved](double tolerance_mm) {
+    const double coarsest = coarsest_preview_mm(design().segments[s], s, shapes);
+    const auto at = [moved, coarsest](double tolerance_mm) {
       SolidOptions options = moved;
-      options.tolerance_mm = tolerance_mm;
+      options.tolerance_mm = std::min(coarsest, tolerance_mm);
       return options;
     };
     if (design().segments[s].lattice) {

@@ -33,6 +33,9 @@ constexpr std::array codes = {
         "acute-corner", Severity::warning,
         "grooves graze: the land's tip is too thin for longer than a strand is wide; a note for "
         "the gap between printed strands, which fills"},
+    CheckCode{
+        "gap-closed", Severity::note,
+        "curved outlines come nearer than the tolerance without meeting: such gaps are closed"},
     CheckCode{"loose-part", Severity::error,
               "part of the lattice is not connected to the rest; a warning for rings alone"},
     CheckCode{"overhang", Severity::note,

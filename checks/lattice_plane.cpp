@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <queue>
 
@@ -14,20 +15,8 @@
 namespace latticast {
 namespace {
 
-constexpr int few_sectors = 3;  // the plane is flat: sectors only cut outlines
-constexpr double coarsest_mm = 0.01;
-constexpr double share_of_finest = 0.05;
 constexpr double finest_slack_mm = 1e-3;
 constexpr double straight_sine = 1e-7;  // grid steps bend a line by less
-
-double finest_mm(const Lattice& lattice) {
-  double finest = lattice.rings ? lattice.rings->width_mm : HUGE_VAL;
-  if (lattice.fillet_mm > 0) finest = std::min(finest, lattice.fillet_mm);
-  for (const Grid& grid : lattice.grids) {
-    for (const double width : grid.widths_mm) finest = std::min(finest, width);
-  }
-  return finest;
-}
 
 std::vector<PlanePoint> points_of(const PlaneMesh& mesh) {
   std::vector<PlanePoint> points;
@@ -157,12 +146,9 @@ bool Outline::is_cell() const {
 }
 
 LatticePlane lattice_plane(LatticeDrawing& drawing) {
-  const double flatness_mm =
-      std::min(coarsest_mm, share_of_finest * finest_mm(*drawing.segment().lattice));
-  const Pattern& pattern = drawing.outlines(flatness_mm);
-  LatticePlane plane{pattern.circumference_mm, pattern.length_mm, {}, {}, 0};
-  const PlaneGrid grid = make_plane_grid(plane.circumference_mm, plane.length_mm, few_sectors);
-  const PlaneMesh mesh = triangulate(drawing.united(flatness_mm, grid, {}, flatness_mm));
+  const PlaneMesh mesh = triangulate(drawing.drawn_union());
+  const double circumference = 2 * std::numbers::pi * drawing.segment().lattice_mid_radius_mm();
+  LatticePlane plane{circumference, drawing.segment().length_mm, {}, {}, 0};
   const std::vector<PlanePoint> points = points_of(mesh);
   plane.outlines = outlines_of(mesh, points, plane.circumference_mm);
   plane.parts = parts_of(mesh, points, plane.circumference_mm);

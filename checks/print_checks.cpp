@@ -20,6 +20,7 @@
 #include "geometry/pattern/drawing_problems.h"
 #include "geometry/pattern/strand_path.h"
 #include "geometry/solid/geometry_error.h"
+#include "geometry/solid/lattice_drawing.h"
 #include "prepared/prepared_lattices.h"
 
 namespace latticast {
@@ -118,6 +119,26 @@ void check_use(const UnitedLattice& lattice, const LatticeUse& use, const FreePr
   check_bridges(lattice, free, findings);
 }
 
+void check_slivers(LatticeDrawing& drawing, int number, CheckFindings& findings) {
+  const std::vector<PlanePoint>& places = drawing.near_places();
+  if (places.empty()) return;
+  CheckFinding finding = check_finding("gap-closed");
+  finding.segment = number;
+  finding.part = "lattice";
+  const double around = 2 * pi * drawing.segment().lattice_mid_radius_mm();
+  finding.place = {360 * places.front().u / around, places.front().z};
+  finding.value = static_cast<double>(places.size());
+  finding.unit = "places";
+  finding.limit = 0;
+  finding.message = fmt::format(
+      "outlines come nearer than the tolerance of {} mm without meeting, in {} place{}; such gaps "
+      "are closed, and necks of fillets parted, in all that is made",
+      written(drawing.sliver_mm(), 3), places.size(), places.size() == 1 ? "" : "s");
+  finding.remedy =
+      "none needed; a fillet rounds such corners, a finer tolerance keeps more of them";
+  findings.push_back(std::move(finding));
+}
+
 void check_lattice(const Design& design, PreparedLattices& lattices, std::size_t s,
                    CheckFindings& findings) {
   const Segment& segment = design.segments[s];
@@ -131,6 +152,7 @@ void check_lattice(const Design& design, PreparedLattices& lattices, std::size_t
   }
   const auto lattice = united_lattice(segment, lattices.of(s), number, findings);
   if (!lattice) return;
+  check_slivers(lattices.of(s), number, findings);
   for (std::size_t i = 0; i < uses.size(); ++i) {
     CheckFindings more;
     check_use(*lattice, uses[i], free_printing(design.printer.process), more);

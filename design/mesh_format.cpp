@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
+#include <vector>
 
 namespace latticast {
 
@@ -65,10 +66,14 @@ std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& file) {
 }
 
 std::string mesh_suffixes() {
+  std::vector<std::string_view> suffixes;
+  for (const MeshFormatName& known : mesh_format_names) {
+    if (known.suffix.starts_with('.')) suffixes.push_back(known.suffix);
+  }
   std::string text;
-  for (std::size_t i = 0; i < mesh_format_names.size(); ++i) {
-    if (i > 0) text += i + 1 == mesh_format_names.size() ? " or " : ", ";
-    text += mesh_format_names[i].suffix;
+  for (std::size_t i = 0; i < suffixes.size(); ++i) {
+    if (i > 0) text += i + 1 == suffixes.size() ? " or " : ", ";
+    text += suffixes[i];
   }
   return text;
 }

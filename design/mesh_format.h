@@ -11,7 +11,7 @@
 
 namespace latticast {
 
-enum class MeshFormat { stl, obj, three_mf, ply, glb, off };
+enum class MeshFormat { stl, obj, three_mf, ply, glb, off, stl_text };
 
 struct MeshFormatName {
   MeshFormat format;
@@ -27,12 +27,14 @@ inline constexpr std::array mesh_format_names = {
     MeshFormatName{MeshFormat::ply, "ply", ".ply"},
     MeshFormatName{MeshFormat::glb, "glb", ".glb"},
     MeshFormatName{MeshFormat::off, "off", ".off"},
+    MeshFormatName{MeshFormat::stl_text, "stl-text", "-text.stl"},
 };
 
-/// The suffix of a format's files with its dot, as in ".stl".
+/// What a format's files end in, as in ".stl", or "-text.stl" where another has that suffix.
 std::string_view extension(MeshFormat format);
 
-/// The format that a file's suffix names, in upper or lower case; nothing where it names none.
+/// The format that a file's suffix names, in upper or lower case; nothing where it names none. STL
+/// is told apart from text STL by its bytes alone.
 std::optional<MeshFormat> mesh_format_of(const std::filesystem::path& file);
 
 /// All suffixes for a message: ".stl, .obj or .ply".

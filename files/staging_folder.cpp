@@ -168,6 +168,13 @@ Path StagingFolder::add(const std::string& name) {
   return place_in_set(staging_, name);
 }
 
+void StagingFolder::take_back(std::size_t kept) {
+  std::error_code ignored;
+  for (; names_.size() > kept; names_.pop_back()) {
+    std::filesystem::remove(place_in_set(staging_, names_.back()), ignored);
+  }
+}
+
 void StagingFolder::commit() {
   const FolderLock lock(folder_);
   publish(staging_, folder_, names_);

@@ -43,6 +43,11 @@ class StagingFolder {
   /// The path at which to write a file that will be called `name`; call once for every file.
   std::filesystem::path add(const std::string& name);
 
+  std::size_t count() const { return names_.size(); }  ///< of added files
+
+  /// Forgets all but the first `kept` files; they may be written or not.
+  void take_back(std::size_t kept);
+
   /// Moves every added file into the folder, replacing what is there. Throws FileError, and the
   /// folder is then as it was.
   void commit();

@@ -239,7 +239,7 @@ void add_notes(const LatticeMoldPlan& plan, Mold& mold) {
 }  // namespace
 
 LatticeMoldPlan plan_lattice_mold(const Segment& segment, const LatticeMoldOptions& options) {
-  LatticeDrawing drawing(segment);
+  LatticeDrawing drawing(segment, options.fit.tolerance_mm);
   return plan_lattice_mold(drawing, options);
 }
 
@@ -263,7 +263,7 @@ LatticeMoldPlan plan_lattice_mold(LatticeDrawing& drawing, const LatticeMoldOpti
 
   const double flatness =
       layered_budget(fit.tolerance_mm).drawing_mm * s.lattice_mid_radius_mm() / s.outer_radius_mm();
-  LatticeDrawing larger(s);
+  LatticeDrawing larger(s, options.fit.growth * drawing.sliver_mm());
   LatticeDrawing& drawn = options.fit.growth == 1 ? drawing : larger;
   const Pattern strands = raised(drawn.strands(flatness), plan.land_mm);
   shell.lattice = raised(drawn.outlines(flatness), plan.land_mm);

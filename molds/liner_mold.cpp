@@ -349,7 +349,7 @@ Mold liner_mold(const Segment& segment, const LinerMoldOptions& options, Lattice
   if (options.keyed) {
     SolidOptions lattice;
     lattice.tolerance_mm = options.fit.tolerance_mm;
-    LatticeDrawing own(segment);
+    LatticeDrawing own(segment, options.fit.tolerance_mm);
     mold.cavity_mm3 -= lattice_solid(drawing != nullptr ? *drawing : own, lattice).volume_mm3;
   }
   mold.notes = notes_of(frame, options);

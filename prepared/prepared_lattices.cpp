@@ -11,7 +11,9 @@ PreparedLattices::~PreparedLattices() = default;
 
 LatticeDrawing& PreparedLattices::of(std::size_t segment) {
   std::unique_ptr<LatticeDrawing>& drawing = drawings_[segment];
-  if (!drawing) drawing = std::make_unique<LatticeDrawing>(design_.segments[segment]);
+  if (!drawing)
+    drawing =
+        std::make_unique<LatticeDrawing>(design_.segments[segment], design_.output.tolerance_mm);
   return *drawing;
 }
 

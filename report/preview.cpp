@@ -7,10 +7,15 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include <fmt/core.h>
 
 #include "design/text/written_number.h"
+#include "geometry/mesh/weld.h"
+#include "geometry/solid/geometry_error.h"
+#include "geometry/solid/self_intersection.h"
+#include "model/section/deformation.h"
 #include "model/shape/shape.h"
 #include "model/shape/strand_strain.h"
 #include "prepared/prepared_responses.h"
@@ -22,9 +27,31 @@ namespace {
 // More pressures than this in a file's name help nobody.
 constexpr std::size_t most_named_pressures = 6;
 
+constexpr int most_refinements = 3;
+
 // A quadratic map leaves a flat triangle by sum of l_i l_j q_ij, which is q/4 in the middle of a
 // side and at most q/3 anywhere.
 constexpr double worst_inside_triangle = 4.0 / 3;
+
+// Where a layer becomes as thin as the tolerance, its floor's facets would reach its ceiling's.
+constexpr double most_of_thickness = 0.25;
+
+double thinnest_layer_mm(const Segment& segment, const State& state) {
+  const double middle =
+      current_radius_mm(segment.inner_radius_mm(), segment.liner_outer_radius_mm(),
+                        state.deformation(segment.inner_radius_mm()));
+  const double liner = middle - state.inner_radius_mm;
+  return segment.lattice ? std::min(liner, state.outer_radius_mm - middle) : liner;
+}
+
+// Grid points that are neighbours at rest stay at least two units of float32 apart where they are
+// moved to. Two more for the sectors' steps, which are rounded to a power of two.
+double least_step_mm(const PreviewShape& at, std::size_t segment) {
+  const Shape& shape = at.shape;
+  const double farthest = shape.length_mm() + at.states[segment].outer_radius_mm;
+  const double least = std::max(1e-3, shape.least_stretch(segment));
+  return 4 * 0x1p-23 * farthest / least;
+}
 
 std::string case_label(const LoadCase& load, std::size_t number) {
   const std::vector<double>& pressures = load.pressures_kpa;
@@ -37,6 +64,18 @@ std::string case_label(const LoadCase& load, std::size_t number) {
     label += fmt::format("{}{}", label.empty() ? "" : "_", pressure);
   }
   return label + "kPa";
+}
+
+// "20 kPa", or those of all segments where they differ.
+std::string case_title(const LoadCase& load) {
+  const std::vector<double>& pressures = load.pressures_kpa;
+  const bool alike = std::adjacent_find(pressures.begin(), pressures.end(),
+                                        std::not_equal_to<>()) == pressures.end();
+  std::string title;
+  for (std::size_t i = 0; i < (alike ? 1 : pressures.size()); ++i) {
+    title += (i == 0 ? "" : ", ") + written(pressures[i], 4);
+  }
+  return title + " kPa";
 }
 
 [[noreturn]] void refuse_case(const ChainResponse& chain, std::size_t load_case) {
@@ -120,6 +159,105 @@ std::vector<double> standing_places(const std::vector<Reach>& reaches) {
   return places;
 }
 
+// The wall is incompressible; bending alone makes one side larger and the other smaller.
+void keep_volume(const Solid& rest, Solid& moved) {
+  moved.volume_mm3 = rest.volume_mm3;
+  moved.volume_bound_mm3 = moved.error.volume_mm3;
+  moved.error.volume_mm3 = rest.error.volume_mm3;
+}
+
+Solid moved_solid(const Solid& rest, const Shape& shape, std::size_t segment) {
+  Solid moved{
+      .mesh = moved_mesh(rest.mesh, shape, segment), .pieces = rest.pieces, .genus = rest.genus};
+  moved.error = moved_error(rest, moved.mesh, shape, segment);
+  if (shape.bend_rad(segment) == 0) keep_volume(rest, moved);
+  return moved;
+}
+
+Point centre(const TriangleMesh& mesh, const Triangle& t) {
+  Point sum{};
+  for (const std::uint32_t corner : t) {
+    for (int i = 0; i < 3; ++i) sum[i] += mesh.vertices[corner][i] / 3;
+  }
+  return sum;
+}
+
+double reach(const TriangleMesh& mesh, const Triangle& t) {
+  const Point middle = centre(mesh, t);
+  double farthest = 0;
+  for (const std::uint32_t corner : t) {
+    const Point& p = mesh.vertices[corner];
+    farthest = std::max(farthest, std::hypot(p[0] - middle[0], p[1] - middle[1], p[2] - middle[2]));
+  }
+  return farthest;
+}
+
+// Triangles of one place meet because they are flat, others because the actuator touches itself.
+bool far_parts_meet(const TriangleMesh& rest, const TriangleMesh& moved) {
+  const std::vector<char> all(moved.triangles.size(), 0);
+  const auto pairs = self_intersections(moved, all);
+  return std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+    const Triangle& a = rest.triangles[pair.first];
+    const Triangle& b = rest.triangles[pair.second];
+    const Point p = centre(rest, a);
+    const Point q = centre(rest, b);
+    return std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) >
+           2 * (reach(rest, a) + reach(rest, b));
+  });
+}
+
+PreviewPart one_attempt(const PreviewMaker& maker, std::size_t segment, const SolidOptions& options,
+                        const std::vector<PreviewShape>& shapes) {
+  PreviewPart part{options, maker.rest(options), {}, {}, {}};
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    maker.begin(i);
+    const Shape& shape = shapes[i].shape;
+    part.moved.push_back(moved_solid(part.rest, shape, segment));
+    const TriangleMesh in_file = weld(part.moved.back().mesh);
+    part.audits.push_back(audit(in_file));
+    const bool meets =
+        part.audits.back().has_only(Defect::self_intersection) &&
+        (shape.least_stretch(segment) <= 0 || far_parts_meet(part.rest.mesh, in_file));
+    part.touches.push_back(meets ? 1 : 0);
+  }
+  return part;
+}
+
+bool is_folded(const PreviewPart& part) {
+  for (std::size_t i = 0; i < part.audits.size(); ++i) {
+    if (!part.audits[i].passes() && part.touches[i] == 0) return true;
+  }
+  return false;
+}
+
+std::string segment_title(const Segment& segment, std::size_t index) {
+  return segment.name.empty() ? fmt::format("segment {}", index + 1) : segment.name;
+}
+
+PictureText preview_text(const std::vector<PicturePart>& parts,
+                         const std::vector<PreviewShape>& shapes,
+                         const std::vector<Segment>& segments, const std::vector<double>& places,
+                         double plane) {
+  const auto placed = [&](Point p, std::size_t place) {
+    p[0] += places[place] * std::cos(plane);
+    p[1] += places[place] * std::sin(plane);
+    return p;
+  };
+  double lowest = HUGE_VAL;
+  for (const PicturePart& part : parts) {
+    for (const Point& p : part.mesh.vertices) lowest = std::min(lowest, p[2]);
+  }
+  PictureText text{.labels = {}, .scale_bar = true, .bar_at_mm = placed({}, 0)};
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    text.labels.push_back({shapes[i].title, placed({0, 0, lowest}, i), 1.6});
+  }
+  for (std::size_t s = 0; segments.size() > 1 && s < segments.size(); ++s) {
+    const Frame middle = shapes.front().shape.frame_at(s, 0.5 * segments[s].length_mm);
+    text.labels.push_back({segment_title(segments[s], s), placed(middle.origin, 0), 0});
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<PreviewShape> predict_preview(PreparedResponses& responses) {
@@ -132,16 +270,30 @@ std::vector<PreviewShape> predict_preview(PreparedResponses& responses) {
     if (!states) refuse_case(chain, i);
     const std::string label = case_label(chain.cases[i], i + 1);
     if (!seen.insert(label).second) continue;
-    shapes.push_back({label, Shape(design.segments, *states), *states});
+    shapes.push_back({label, case_title(chain.cases[i]), Shape(design.segments, *states), *states});
   }
   return shapes;
 }
 
+double coarsest_preview_mm(const Segment& segment, std::size_t number,
+                           const std::vector<PreviewShape>& shapes) {
+  double coarsest = HUGE_VAL;
+  for (const PreviewShape& at : shapes) {
+    coarsest =
+        std::min(coarsest, most_of_thickness * thinnest_layer_mm(segment, at.states[number]));
+  }
+  return coarsest;
+}
+
 SolidOptions preview_options(const Design& design, std::size_t segment, double start_z_mm,
                              const std::vector<PreviewShape>& shapes) {
-  SolidOptions options{design.output.tolerance_mm, start_z_mm, 0, 1};
+  SolidOptions options;
+  options.tolerance_mm = std::min(design.output.tolerance_mm,
+                                  coarsest_preview_mm(design.segments[segment], segment, shapes));
+  options.start_z_mm = start_z_mm;
   for (const PreviewShape& at : shapes) {
     const State& state = at.states[segment];
+    options.least_step_mm = std::max(options.least_step_mm, least_step_mm(at, segment));
     // Bending curves the walls too: the mesh is cut as for a twist that curves them as much.
     options.twist_rad_per_mm =
         std::max(options.twist_rad_per_mm, at.shape.curving_rad_per_mm(segment));
@@ -180,6 +332,20 @@ SolidError moved_error(const Solid& rest, const TriangleMesh& moved, const Shape
   return error;
 }
 
+PreviewPart preview_part(const PreviewMaker& maker, std::size_t segment,
+                         const SolidOptions& options, const std::vector<PreviewShape>& shapes) {
+  PreviewPart part = one_attempt(maker, segment, options, shapes);
+  for (SolidOptions finer = options; is_folded(part) && finer.refinement < most_refinements;) {
+    ++finer.refinement;
+    try {
+      part = one_attempt({maker.rest}, segment, finer, shapes);
+    } catch (const GeometryError&) {
+      break;  // too many triangles: what there is will be judged
+    }
+  }
+  return part;
+}
+
 StrainColours strain_colours(const Segment& segment, std::size_t number, bool is_liner,
                              const TriangleMesh& rest, const SolidOptions& options,
                              const std::vector<PreviewShape>& shapes) {
@@ -197,8 +363,8 @@ StrainColours strain_colours(const Segment& segment, std::size_t number, bool is
     least = std::min(least, *low);
     largest = std::max(largest, *high);
   }
-  StrainColours found{{}, strain_ramp(least, largest)};
-  for (const std::vector<double>& of_shape : strains) {
+  StrainColours found{{}, std::move(strains), strain_ramp(least, largest)};
+  for (const std::vector<double>& of_shape : found.strains) {
     std::vector<Colour>& colours = found.of_shape.emplace_back();
     for (const double strain : of_shape) {
       const ByteColour bytes = colour_of(found.ramp, strain);
@@ -209,7 +375,8 @@ StrainColours strain_colours(const Segment& segment, std::size_t number, bool is
 }
 
 Image preview_picture(const std::vector<PicturePart>& parts,
-                      const std::vector<PreviewShape>& shapes) {
+                      const std::vector<PreviewShape>& shapes,
+                      const std::vector<Segment>& segments) {
   const double plane = bending_plane_rad(shapes);
   const std::vector<double> places = standing_places(reaches(parts, shapes.size(), plane));
   std::vector<PictureObject> objects;
@@ -217,12 +384,15 @@ Image preview_picture(const std::vector<PicturePart>& parts,
   for (const PicturePart& part : parts) {
     const double along = places[part.place];
     objects.push_back({part.mesh,
-                       part.is_liner ? preview_liner_colour : preview_lattice_colour,
+                       part.is_liner ? liner_colour : lattice_colour,
                        {along * std::cos(plane), along * std::sin(plane), 0},
                        1});
   }
   const Camera camera{{-std::sin(plane), std::cos(plane), -0.22}, {0, 0, 1}, 12};
-  return draw_picture(objects, camera);
+  PictureOptions options;
+  options.margin = 0.1;  // texts stand below the shapes
+  return draw_picture(objects, camera, options,
+                      preview_text(parts, shapes, segments, places, plane));
 }
 
 }  // namespace latticast

@@ -39,6 +39,7 @@ struct ReportPiece {
   std::vector<std::string> files;
   const Material* material = nullptr;  ///< into the design; none for what the printer prints
   double volume_mm3 = 0;
+  int prints = 1;                  ///< how many of it are needed
   std::optional<ReportMesh> mesh;  ///< absent for what is poured
 };
 

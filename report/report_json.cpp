@@ -348,7 +348,8 @@ Json piece_json(const ReportPiece& piece) {
             {"files", piece.files},
             {"material", piece.material ? Json(piece.material->name) : Json(nullptr)},
             {"volume_mm3", piece.volume_mm3},
-            {"mass_g", or_null(mass_g(piece))}};
+            {"mass_g", or_null(mass_g(piece))},
+            {"prints", piece.prints}};
   const auto& mesh = piece.mesh;
   json["triangles"] = mesh ? Json(mesh->triangles) : Json(nullptr);
   json["components"] = mesh ? Json(mesh->components) : Json(nullptr);

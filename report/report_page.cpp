@@ -47,16 +47,31 @@ bool begins_with_separator(std::string_view text) {
 }
 
 std::string_view text_of_place(std::string_view name, const PageAssets& assets,
-                               const std::array<std::string, 4>& blocks) {
+                               const std::array<std::string, 6>& blocks) {
   if (name == "title") return blocks[0];
   if (name == "report") return blocks[1];
   if (name == "view") return blocks[2];
   if (name == "model") return blocks[3];
+  if (name == "pictures") return blocks[4];
+  if (name == "pictures-link") return blocks[5];
   if (name == "style") return assets.style;
   if (name == "script") return assets.script;
   if (name == "viewer") return assets.viewer;
   if (name == "policy") return assets.policy;
   return {};
+}
+
+std::string pictures_section(const std::vector<ReportPicture>& pictures) {
+  if (pictures.empty()) return "";
+  std::string html =
+      "  <section id=\"pictures\" aria-labelledby=\"pictures-head\">"
+      "<h2 id=\"pictures-head\">Pictures</h2>\n";
+  for (const ReportPicture& picture : pictures) {
+    const std::string title = escaped_html(picture.title);
+    html += "  <figure class=\"picture\"><img alt=\"" + title + "\" src=\"data:image/png;base64," +
+            base64(picture.png) + "\"><figcaption>" + title + "</figcaption></figure>\n";
+  }
+  return html + "  </section>\n";
 }
 
 }  // namespace
@@ -116,12 +131,18 @@ bool has_viewer() {
 
 std::string report_page(const ReportParts& parts) {
   const PageAssets assets = page_assets();
-  const std::array<std::string, 4> blocks = {
-      escaped_html(parts.title), escaped_json(parts.report_json), escaped_json(parts.view_json),
-      base64(parts.model_glb)};
+  const bool has_pictures = !parts.pictures.empty();
+  const std::array<std::string, 6> blocks = {
+      escaped_html(parts.title),
+      escaped_json(parts.report_json),
+      escaped_json(parts.view_json),
+      base64(parts.model_glb),
+      pictures_section(parts.pictures),
+      has_pictures ? "  <li><a href=\"#pictures\">Pictures</a></li>\n" : ""};
   std::string result;
   result.reserve(assets.page.size() + assets.style.size() + assets.script.size() +
-                 assets.viewer.size() + blocks[1].size() + blocks[2].size() + blocks[3].size());
+                 assets.viewer.size() + blocks[1].size() + blocks[2].size() + blocks[3].size() +
+                 blocks[4].size());
   // A place is looked for in the template alone, never in what was put into it.
   std::string_view rest = assets.page;
   for (auto open = rest.find("{{"); open != std::string_view::npos; open = rest.find("{{")) {

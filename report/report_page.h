@@ -4,8 +4,14 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace latticast {
+
+struct ReportPicture {
+  std::string title;  ///< plain text, UTF-8
+  std::string png;    ///< bytes of the file
+};
 
 /// What a page is made of, as texts: this folder's page knows neither the model nor the meshes.
 struct ReportParts {
@@ -13,6 +19,7 @@ struct ReportParts {
   std::string report_json;  ///< the report, as docs/report.md describes it; JSON, UTF-8
   std::string view_json;    ///< bodies, states and markers of the 3-D view; JSON, UTF-8
   std::string model_glb;    ///< meshes of the 3-D view, bytes of a binary glTF file; may be empty
+  std::vector<ReportPicture> pictures = {};
 };
 
 /// One HTML file that needs no other file, no server and no network.

@@ -77,7 +77,7 @@ std::vector<PreviewShape> shapes_of(const Segment& segment, const std::vector<St
   std::vector<PreviewShape> shapes;
   shapes.reserve(states.size());
   for (const State& state : states) {
-    shapes.push_back({"", Shape(std::span(&segment, 1), std::span(&state, 1)), {state}});
+    shapes.push_back({"", "", Shape(std::span(&segment, 1), std::span(&state, 1)), {state}});
   }
   return shapes;
 }
@@ -152,7 +152,7 @@ std::string view_glb(const ReportView& view) {
       SceneBody& shown = scene.bodies.emplace_back();
       shown.name = body.node;
       shown.mesh = body.rest;
-      shown.colour = body.is_liner ? preview_liner_colour : preview_lattice_colour;
+      shown.colour = body.is_liner ? liner_colour : lattice_colour;
       std::size_t pose = 0;
       for (const State& state : segment.states) {
         if (state.pressure_kpa == 0) continue;

@@ -33,7 +33,7 @@ struct FlatDrawing {
 std::vector<std::string> drawing_notes(const Segment& segment);
 
 /// SVG, a unit a millimetre. Groups, which drawing programs show as layers: "lattice" (a path a
-/// piece, holes by the even-odd rule), "sheet" (the rectangle), "marks" (lines at Theta = 0, 90,
+/// piece, holes by the even-odd rule), "sheet" (the rectangle), "marks" (paths at Theta = 0, 90,
 /// 180, 270 degrees, a scale bar of 50 mm, or of the height if that is less, title and notes).
 /// Hairlines without fill, each group in a colour of its own. y is turned: up on paper is up along
 /// the tube. Numbers are written so that they read back as the same doubles. Depends on the
@@ -41,8 +41,9 @@ std::vector<std::string> drawing_notes(const Segment& segment);
 void write_svg(const std::filesystem::path& target, const FlatDrawing& drawing);
 
 /// DXF, AutoCAD 2000, ASCII, its unit set to millimetres ($INSUNITS 4). The same as layers LATTICE
-/// (closed LWPOLYLINE, holes too), SHEET and MARKS (LINE, TEXT). Letters beyond ASCII in the title
-/// are written as \U+XXXX, those beyond U+FFFF as a question mark.
+/// (closed LWPOLYLINE, holes too), SHEET and MARKS (LINE, TEXT), moved by whole millimetres so that
+/// no coordinate is negative: some programs cut off what is. Letters beyond ASCII in the title are
+/// written as \U+XXXX, those beyond U+FFFF as a question mark.
 void write_dxf(const std::filesystem::path& target, const FlatDrawing& drawing);
 
 }  // namespace latticast

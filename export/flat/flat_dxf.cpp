@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <cmath>
 #include <cstdint>
 
 #include <fmt/core.h>
@@ -39,7 +41,10 @@ std::string in_ascii(const std::string& text) {
 // AutoCAD 2000 on every object has a handle, its owner's and the names of its classes.
 class DxfWriter {
  public:
-  explicit DxfWriter(const FlatDrawing& drawing) : drawing_(drawing), marks_(flat_marks(drawing)) {}
+  explicit DxfWriter(const FlatDrawing& drawing)
+      : drawing_(drawing),
+        marks_(flat_marks(drawing)),
+        shift_{std::ceil(-marks_.low[0]), std::ceil(-marks_.low[1])} {}
 
   std::string run() {
     add_tables();
@@ -61,10 +66,17 @@ class DxfWriter {
   void tag(int code, int value) { tag(code, std::to_string(value)); }
   void number(int code, double value) { tag(code, exact_text(value)); }
 
+  // Where the drawing's own x or y stands in the file.
+  double shifted(int axis, double coordinate) const { return coordinate + shift_[axis]; }
+
   void point(int code, const std::array<double, 2>& at) {
-    number(code, at[0]);
-    number(code + 10, at[1]);
+    number(code, shifted(0, at[0]));
+    number(code + 10, shifted(1, at[1]));
     number(code + 20, 0);
+  }
+
+  void origin(int code) {
+    for (int axis = 0; axis < 3; ++axis) number(code + 10 * axis, 0);
   }
 
   void handle(int value) { tag(5, fmt::format("{:X}", value)); }
@@ -159,8 +171,8 @@ class DxfWriter {
     number(20, 0);
     number(11, 1);
     number(21, 1);
-    number(12, 0.5 * (marks_.low[0] + marks_.high[0]));
-    number(22, 0.5 * (marks_.low[1] + marks_.high[1]));
+    number(12, shifted(0, 0.5 * (marks_.low[0] + marks_.high[0])));
+    number(22, shifted(1, 0.5 * (marks_.low[1] + marks_.high[1])));
     number(40, height);
     number(41, width / height);
     end_table();
@@ -214,7 +226,7 @@ class DxfWriter {
       begin_entity("BLOCK", "0", "AcDbBlockBegin", record);
       tag(2, name);
       tag(70, 0);
-      point(10, {0, 0});
+      origin(10);
       tag(3, name);
       tag(1, "");
       begin_entity("ENDBLK", "0", "AcDbBlockEnd", record);
@@ -254,8 +266,8 @@ class DxfWriter {
     tag(90, static_cast<int>(outline.size()));
     tag(70, 1);  // closed
     for (const auto& [x, y] : outline) {
-      number(10, x);
-      number(20, y);
+      number(10, shifted(0, x));
+      number(20, shifted(1, y));
     }
   }
 
@@ -291,6 +303,7 @@ class DxfWriter {
 
   const FlatDrawing& drawing_;
   FlatMarks marks_;
+  std::array<double, 2> shift_;  // whole millimetres, after which nothing lies below 0
   std::string text_;
   int next_handle_ = root_dictionary + 1;
 };

@@ -41,8 +41,8 @@ class SvgWriter {
   std::string run() {
     begin();
     open_group("sheet", "#0000ff");
-    text_ += fmt::format("<rect x=\"0\" y=\"0\" width=\"{}\" height=\"{}\"/>\n",
-                         exact_text(drawing_.width_mm), exact_text(drawing_.height_mm));
+    text_ += fmt::format("<path d=\"M0 0 H{} V{} H0 Z\"/>\n", exact_text(drawing_.width_mm),
+                         exact_text(drawing_.height_mm));
     text_ += "</g>\n";
     open_group("marks", "#808080");
     for (const MarkLine& line : marks_.lines) add(line);
@@ -77,9 +77,8 @@ class SvgWriter {
   }
 
   void add(const MarkLine& line) {
-    text_ +=
-        fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"/>\n", exact_text(line.from[0]),
-                    down(line.from[1]), exact_text(line.to[0]), down(line.to[1]));
+    text_ += fmt::format("<path d=\"M{} {} L{} {}\"/>\n", exact_text(line.from[0]),
+                         down(line.from[1]), exact_text(line.to[0]), down(line.to[1]));
   }
 
   void add(const MarkText& mark) {

@@ -23,13 +23,13 @@ struct MorphTarget {
 struct SceneBody {
   std::string name;
   TriangleMesh mesh;                      ///< in mm, at rest
-  Colour colour{0.60, 0.62, 0.66};        ///< of a dull surface, seen from outside only
+  Colour colour = usual_colour;           ///< of a dull surface, seen from outside only
   std::vector<MorphTarget> targets = {};  ///< further states, in the order of an animation
 };
 
 struct Scene {
   std::vector<SceneBody> bodies;
-  bool animated = false;  ///< writes an animation "inflate" of all bodies that have targets
+  bool animated = false;  ///< writes an animation "inflate"; every body has as many targets
 };
 
 /// The scene as GLB. A root node "actuator" turns mm, z upward, into metres, y upward; below it
@@ -38,9 +38,11 @@ struct Scene {
 /// are not written: readers then shade the facets flat, so that creases show.
 ///
 /// A target is stored as its difference from the rounded rest position, rounded to float32; the
-/// names are the mesh's extras.targetNames, and all weights are 0 by default. The animation's
-/// keyframe at i seconds shows target i (from 1) alone and the one at 0 the rest; between two the
-/// weights are linear.
+/// names are the mesh's extras.targetNames, and all weights are 0 by default. Targets that leave
+/// every body as it is, to 1e-7 of its size, are not stored: they are the rest state. The animation
+/// begins and ends with that, shows each target in turn, a second apart, and goes back through
+/// them; all bodies have its keyframes at the same times. Between two the weights are linear, from
+/// 0 to 1.
 ///
 /// The bytes depend on the scene and the program's version alone. Throws std::invalid_argument for
 /// a scene without bodies, a mesh without triangles or with an index past its vertices, a target

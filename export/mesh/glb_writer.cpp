@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -58,10 +59,58 @@ std::vector<Vector> differences(const std::vector<Point>& points, const std::vec
   return result;
 }
 
+/// By less than a body's coordinates can tell.
+bool stays(const std::vector<Point>& rest, const std::vector<Point>& moved) {
+  double largest = 0;
+  double farthest = 0;
+  for (std::size_t i = 0; i < std::min(rest.size(), moved.size()); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      largest = std::max(largest, std::abs(rest[i][axis]));
+      farthest = std::max(farthest, std::abs(moved[i][axis] - rest[i][axis]));
+    }
+  }
+  return farthest <= 1e-7 * largest;
+}
+
+/// For each target of the bodies, whether it moves one of them.
+std::vector<bool> moving_targets(const Scene& scene) {
+  std::vector<bool> moving;
+  for (const SceneBody& body : scene.bodies) {
+    if (moving.size() < body.targets.size()) {
+      moving.resize(body.targets.size(), false);
+    }
+    for (std::size_t i = 0; i < body.targets.size(); ++i) {
+      moving[i] = moving[i] || !stays(body.mesh.vertices, body.targets[i].positions);
+    }
+  }
+  return moving;
+}
+
+constexpr std::size_t at_rest = std::numeric_limits<std::size_t>::max();
+
+/// From rest through all states and back: the numbers of stored targets.
+std::vector<std::size_t> keyframes(const std::vector<bool>& moving) {
+  std::vector<std::size_t> frames{at_rest};
+  std::size_t stored = 0;
+  for (const bool moves : moving) {
+    if (moves) {
+      frames.push_back(stored++);
+    } else if (frames.back() != at_rest) {
+      frames.push_back(at_rest);
+    }
+  }
+  const std::size_t turning = frames.size() - 1;
+  for (std::size_t i = turning; i-- > 0;) {
+    frames.push_back(frames[i]);
+  }
+  return frames;
+}
+
 class SceneWriter {
  public:
   std::string write(const Scene& scene) {
     start();
+    moving_ = moving_targets(scene);
     for (const SceneBody& body : scene.bodies) {
       add_body(body);
     }
@@ -187,43 +236,65 @@ class SceneWriter {
       return;
     }
     tinygltf::Value::Array names;
-    for (const MorphTarget& target : body.targets) {
+    for (std::size_t i = 0; i < body.targets.size(); ++i) {
+      const MorphTarget& target = body.targets[i];
       if (target.positions.size() != rest.size()) {
         throw std::invalid_argument("a morph target without a position for each vertex");
       }
       require_finite(target.positions);
+      if (!moving_[i]) {
+        continue;
+      }
       primitive.targets.push_back(
           {{"POSITION", add_positions(differences(target.positions, rest))}});
       names.emplace_back(target.name);
     }
-    mesh.weights.assign(body.targets.size(), 0.0);
+    if (names.empty()) {
+      return;
+    }
+    mesh.weights.assign(names.size(), 0.0);
     mesh.extras = tinygltf::Value(tinygltf::Value::Object{{"targetNames", tinygltf::Value(names)}});
   }
 
   /// Row i of the weights is keyframe i.
+  tinygltf::AnimationSampler sampler(const std::vector<std::size_t>& frames, std::size_t targets,
+                                     int times) {
+    std::vector<float> weights(frames.size() * targets, 0);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+      if (frames[i] != at_rest) {
+        weights[i * targets + frames[i]] = 1;
+      }
+    }
+    tinygltf::AnimationSampler sampler;
+    sampler.input = times;
+    sampler.output = add_scalars(weights);
+    sampler.interpolation = "LINEAR";
+    return sampler;
+  }
+
   void add_animation(const Scene& scene) {
     tinygltf::Animation animation;
     animation.name = "inflate";
+    const std::vector<std::size_t> frames = keyframes(moving_);
+    std::vector<float> seconds(frames.size());
+    std::iota(seconds.begin(), seconds.end(), 0.0F);
+    int times = -1;
     for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-      const std::size_t targets = scene.bodies[i].targets.size();
+      const std::size_t targets = model_.meshes[i].weights.size();
       if (targets == 0) {
         continue;
       }
-      std::vector<float> seconds(targets + 1);
-      std::vector<float> weights((targets + 1) * targets, 0);
-      for (std::size_t target = 1; target <= targets; ++target) {
-        seconds[target] = static_cast<float>(target);
-        weights[target * targets + target - 1] = 1;
+      if (targets != static_cast<std::size_t>(std::count(moving_.begin(), moving_.end(), true))) {
+        throw std::invalid_argument("an animation of bodies with different numbers of states");
       }
-      tinygltf::AnimationSampler sampler;
-      sampler.input = add_scalars(seconds);
-      sampler.output = add_scalars(weights);
-      sampler.interpolation = "LINEAR";
+      if (times < 0) {
+        times = add_scalars(seconds);
+      }
       tinygltf::AnimationChannel channel;
       channel.sampler = static_cast<int>(animation.samplers.size());
       channel.target_node = model_.nodes.front().children[i];
       channel.target_path = "weights";
-      animation.samplers.push_back(sampler);
+      animation.samplers.push_back(sampler(frames, targets, times));
       animation.channels.push_back(channel);
     }
     if (!animation.channels.empty()) {
@@ -232,6 +303,7 @@ class SceneWriter {
   }
 
   tinygltf::Model model_;
+  std::vector<bool> moving_;  ///< targets that are stored
 };
 
 }  // namespace

@@ -43,13 +43,15 @@ std::string read_bytes(const std::filesystem::path& file) {
 }  // namespace
 
 void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, MeshFormat format,
-                std::span<const Colour> vertex_colours) {
+                const MeshLook& look) {
   require_valid(mesh);
-  if (!vertex_colours.empty() && vertex_colours.size() != mesh.vertices.size()) {
-    throw std::invalid_argument("not one colour for each vertex of a mesh");
+  for (const std::size_t count : {look.vertex_colours.size(), look.vertex_qualities.size()}) {
+    if (count != 0 && count != mesh.vertices.size()) {
+      throw std::invalid_argument("not one colour or quality for each vertex of a mesh");
+    }
   }
   const std::string name = file.stem().string();
-  write_file_atomically(file, mesh_file_format(format).encode({mesh, name, vertex_colours}));
+  write_file_atomically(file, mesh_file_format(format).encode({mesh, name, look}));
 }
 
 std::vector<MeshObject> read_objects(const std::filesystem::path& file) {

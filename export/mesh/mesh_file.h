@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "design/mesh_format.h"
-#include "export/colour.h"
+#include "export/mesh/mesh_look.h"
 #include "geometry/mesh/mesh_object.h"
 
 namespace latticast {
@@ -24,12 +24,13 @@ namespace latticast {
 /// 3MF and GLB, which hold one part (write_three_mf and write_glb write several). Numbers are mm in
 /// all but GLB, whose root node turns them into its metres.
 ///
-/// Colours, one for each vertex, are kept by PLY. Coordinates that are not finite are written as
-/// they are where the format keeps them (MeshFileFormat). Throws FileError, and
+/// Text STL has the fewest digits that identify the float32. The part's colour is kept by 3MF and
+/// GLB, colours and qualities of the vertices by PLY. Coordinates that are not finite are written
+/// as they are where the format keeps them (MeshFileFormat). Throws FileError, and
 /// std::invalid_argument for a mesh without triangles or with an index past its vertices, and for
 /// 3MF and GLB what write_three_mf and write_glb say.
 void write_mesh(const std::filesystem::path& file, const TriangleMesh& mesh, MeshFormat format,
-                std::span<const Colour> vertex_colours = {});
+                const MeshLook& look = {});
 
 /// Reads meshes of triangles in mm from a file of any format, told apart by the suffix; larger
 /// polygons become triangles. Nothing is joined, reordered or dropped, collapsed triangles and

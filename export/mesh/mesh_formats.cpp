@@ -16,11 +16,12 @@ namespace latticast {
 namespace {
 
 std::string encode_three_mf_part(const MeshToWrite& part) {
-  return encode_three_mf(std::array{NamedMesh{std::string(part.name), part.mesh}});
+  return encode_three_mf(
+      std::array{NamedMesh{std::string(part.name), part.mesh, part.look.colour}});
 }
 
 std::string encode_glb_part(const MeshToWrite& part) {
-  return encode_glb({{{std::string(part.name), part.mesh}}});
+  return encode_glb({{{std::string(part.name), part.mesh, part.look.colour}}});
 }
 
 using Objects = std::vector<MeshObject>;
@@ -40,12 +41,13 @@ constexpr std::array formats = {
                    .keeps_vertex_numbers = false,
                    .keeps_infinite = true,
                    .keeps_part_name = false},
-    MeshFileFormat{.format = MeshFormat::obj,
-                   .encode = [](const MeshToWrite& part) { return encode_obj(part.mesh); },
-                   .decode = decode_one<decode_obj>,
-                   .keeps_vertex_numbers = true,
-                   .keeps_infinite = true,
-                   .keeps_part_name = false},
+    MeshFileFormat{
+        .format = MeshFormat::obj,
+        .encode = [](const MeshToWrite& part) { return encode_obj(part.mesh, part.name); },
+        .decode = decode_one<decode_obj>,
+        .keeps_vertex_numbers = true,
+        .keeps_infinite = true,
+        .keeps_part_name = true},
     MeshFileFormat{.format = MeshFormat::three_mf,
                    .encode = encode_three_mf_part,
                    .decode = [](const Path& file,
@@ -55,8 +57,7 @@ constexpr std::array formats = {
                    .keeps_part_name = true},
     MeshFileFormat{
         .format = MeshFormat::ply,
-        .encode =
-            [](const MeshToWrite& part) { return encode_ply(part.mesh, part.vertex_colours); },
+        .encode = [](const MeshToWrite& part) { return encode_ply(part.mesh, part.look); },
         .decode = decode_one<decode_ply>,
         .keeps_vertex_numbers = true,
         .keeps_infinite = true,
@@ -74,6 +75,13 @@ constexpr std::array formats = {
                    .keeps_vertex_numbers = true,
                    .keeps_infinite = true,
                    .keeps_part_name = false},
+    MeshFileFormat{
+        .format = MeshFormat::stl_text,
+        .encode = [](const MeshToWrite& part) { return encode_text_stl(part.mesh, part.name); },
+        .decode = decode_one<decode_stl>,
+        .keeps_vertex_numbers = false,
+        .keeps_infinite = true,
+        .keeps_part_name = true},
 };
 static_assert(formats.size() == mesh_format_names.size());
 

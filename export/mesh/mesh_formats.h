@@ -9,16 +9,16 @@
 #include <vector>
 
 #include "design/mesh_format.h"
-#include "export/colour.h"
+#include "export/mesh/mesh_look.h"
 #include "geometry/mesh/mesh_object.h"
 
 namespace latticast {
 
 /// A mesh on its way into a file. It refers to what it was made from.
 struct MeshToWrite {
-  const TriangleMesh& mesh;                ///< in mm, its indices valid
-  std::string_view name;                   ///< of the part
-  std::span<const Colour> vertex_colours;  ///< one for each vertex, or none
+  const TriangleMesh& mesh;  ///< in mm, its indices valid
+  std::string_view name;     ///< of the part
+  MeshLook look;
 };
 
 struct MeshFileFormat {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export/mesh/obj_file.h"
 
-#include <array>
 #include <charconv>
 #include <cstdint>
 #include <optional>
@@ -11,23 +10,11 @@
 
 #include "design/file_error.h"
 #include "export/mesh/line_reader.h"
+#include "export/mesh/text_writer.h"
 #include "geometry/polygon/face_list.h"
 
 namespace latticast {
 namespace {
-
-void append_number(std::string& text, float value) {
-  std::array<char, 64> digits;  // the longest float32 without exponent takes 57 characters
-  const auto end =
-      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed);
-  text.append(digits.data(), end.ptr);
-}
-
-void append_number(std::string& text, std::uint64_t value) {
-  std::array<char, 24> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  text.append(digits.data(), end.ptr);
-}
 
 class ObjReader {
  public:
@@ -103,14 +90,14 @@ class ObjReader {
 
 }  // namespace
 
-std::string encode_obj(const TriangleMesh& mesh) {
-  std::string text = "# unit mm\n";
+std::string encode_obj(const TriangleMesh& mesh, std::string_view name) {
+  std::string text = "# unit mm\no " + one_word(name) + "\n";
   text.reserve(32 * mesh.vertices.size() + 24 * mesh.triangles.size());
   for (const Point& vertex : mesh.vertices) {
     text += 'v';
     for (const double coordinate : vertex) {
       text += ' ';
-      append_number(text, static_cast<float>(coordinate));
+      append_number(text, static_cast<float>(coordinate), std::chars_format::fixed);
     }
     text += '\n';
   }

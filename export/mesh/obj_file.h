@@ -10,8 +10,9 @@
 
 namespace latticast {
 
-/// The mesh as OBJ text. Precondition: its indices are valid.
-std::string encode_obj(const TriangleMesh& mesh);
+/// The mesh as OBJ text, an object with the part's name (blanks in it become "_"). Precondition:
+/// its indices are valid.
+std::string encode_obj(const TriangleMesh& mesh, std::string_view name = {});
 
 /// The vertices and faces of OBJ text, vertices shared as the file shares them. Faces of more than
 /// three corners become triangles in their plane (polygon_triangles.h); texture, normals, colours,

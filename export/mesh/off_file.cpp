@@ -13,17 +13,11 @@
 
 #include "design/file_error.h"
 #include "export/mesh/line_reader.h"
+#include "export/mesh/text_writer.h"
 #include "geometry/polygon/face_list.h"
 
 namespace latticast {
 namespace {
-
-template <class Number, class... Format>
-void append_number(std::string& text, Number value, Format... format) {
-  std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, format...);
-  text.append(digits.data(), end.ptr);
-}
 
 class OffReader {
  public:

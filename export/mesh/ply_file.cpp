@@ -23,12 +23,15 @@
 namespace latticast {
 namespace {
 
-std::string ply_header(const TriangleMesh& mesh, bool coloured) {
+std::string ply_header(const TriangleMesh& mesh, const MeshLook& look) {
   std::string text = "ply\nformat binary_little_endian 1.0\ncomment unit mm\nelement vertex " +
                      std::to_string(mesh.vertices.size()) +
                      "\nproperty float x\nproperty float y\nproperty float z\n";
-  if (coloured) {
+  if (!look.vertex_colours.empty()) {
     text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  }
+  if (!look.vertex_qualities.empty()) {
+    text += "property float quality\n";
   }
   return text + "element face " + std::to_string(mesh.triangles.size()) +
          "\nproperty list uchar int vertex_indices\nend_header\n";
@@ -294,9 +297,10 @@ class BodyReader {
 
 }  // namespace
 
-std::string encode_ply(const TriangleMesh& mesh, std::span<const Colour> colours) {
-  const std::string header = ply_header(mesh, !colours.empty());
-  const std::size_t vertex_size = colours.empty() ? 12 : 15;
+std::string encode_ply(const TriangleMesh& mesh, const MeshLook& look) {
+  const std::string header = ply_header(mesh, look);
+  const std::size_t vertex_size =
+      12U + (look.vertex_colours.empty() ? 0U : 3U) + (look.vertex_qualities.empty() ? 0U : 4U);
   constexpr std::size_t face_size = 13;
   std::string bytes = header;
   bytes.resize(header.size() + vertex_size * mesh.vertices.size() +
@@ -306,8 +310,11 @@ std::string encode_ply(const TriangleMesh& mesh, std::span<const Colour> colours
     for (const double x : mesh.vertices[i]) {
       out = put_float32(out, static_cast<float>(x));
     }
-    if (!colours.empty()) {
-      out = put_colour(out, colours[i]);
+    if (!look.vertex_colours.empty()) {
+      out = put_colour(out, look.vertex_colours[i]);
+    }
+    if (!look.vertex_qualities.empty()) {
+      out = put_float32(out, static_cast<float>(look.vertex_qualities[i]));
     }
   }
   for (const Triangle& triangle : mesh.triangles) {

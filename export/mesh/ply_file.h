@@ -3,20 +3,21 @@
 #pragma once
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 
-#include "export/colour.h"
+#include "export/mesh/mesh_look.h"
 #include "geometry/mesh/triangle_mesh.h"
 
 namespace latticast {
 
-/// The mesh as little-endian binary PLY: "vertex" with float x, y, z and, when `colours` are given,
-/// uchar red, green, blue (0 to 255, rounded; beyond that range cut off, NaN is 0); "face" with
-/// "list uchar int vertex_indices". Preconditions: valid indices below 2^31; no colours, or one for
-/// each vertex. Programs shade the triangles between the colours of their corners.
-std::string encode_ply(const TriangleMesh& mesh, std::span<const Colour> colours = {});
+/// The mesh as little-endian binary PLY: "vertex" with float x, y, z and, where the vertices have
+/// colours, uchar red, green, blue (0 to 255, rounded; beyond that range cut off, NaN is 0), and
+/// float quality, which MeshLab, CloudCompare and ParaView show as a field, where the vertices have
+/// one; "face" with "list uchar int vertex_indices". Preconditions: valid indices below 2^31; no
+/// colours and qualities, or one for each vertex. Programs shade the triangles between the colours
+/// of their corners.
+std::string encode_ply(const TriangleMesh& mesh, const MeshLook& look = {});
 
 /// The vertices (x, y, z of "vertex"), faces (the list vertex_indices or vertex_index of "face")
 /// and triangle strips (the same list of "tristrips", where -1 begins a new strip) of PLY, text or

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export/mesh/stl_file.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -9,6 +10,7 @@
 #include "design/file_error.h"
 #include "export/mesh/line_reader.h"
 #include "export/mesh/little_endian.h"
+#include "export/mesh/text_writer.h"
 
 namespace latticast {
 namespace {
@@ -256,7 +258,33 @@ TriangleMesh decode_binary(const std::filesystem::path& file, std::string_view b
   return mesh;
 }
 
+void append_vector(std::string& text, std::string_view word, const Vector& vector) {
+  text += word;
+  for (const float x : vector) {
+    text += ' ';
+    append_number(text, x);
+  }
+  text += '\n';
+}
+
 }  // namespace
+
+std::string encode_text_stl(const TriangleMesh& mesh, std::string_view name) {
+  std::string text = "solid " + one_word(name) + '\n';
+  text.reserve(256 * mesh.triangles.size());
+  for (const Triangle& triangle : mesh.triangles) {
+    const std::array corners{rounded(mesh.vertices[triangle[0]]),
+                             rounded(mesh.vertices[triangle[1]]),
+                             rounded(mesh.vertices[triangle[2]])};
+    append_vector(text, "facet normal", unit_normal(corners[0], corners[1], corners[2]));
+    text += "outer loop\n";
+    for (const Vector& corner : corners) {
+      append_vector(text, "vertex", corner);
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid " + one_word(name) + '\n';
+}
 
 std::string encode_stl(const TriangleMesh& mesh) {
   std::string bytes(preamble_size + facet_size * mesh.triangles.size(), '\0');

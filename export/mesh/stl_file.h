@@ -15,6 +15,10 @@ namespace latticast {
 /// triangles.
 std::string encode_stl(const TriangleMesh& mesh);
 
+/// The mesh as text STL, one solid of the part's name (blanks in it become "_"). Coordinates have
+/// the fewest digits that identify the float32. Precondition: its indices are valid.
+std::string encode_text_stl(const TriangleMesh& mesh, std::string_view name);
+
 /// The mesh in binary or text STL, all its solids, three vertices to a triangle; the stored normals
 /// are not used. Text begins with "solid" and does not have the length that a binary file with its
 /// count would have: some programs begin binary files with "solid", too. Text may be in capitals,

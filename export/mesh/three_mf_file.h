@@ -17,7 +17,7 @@ namespace latticast {
 struct NamedMesh {
   std::string name;
   TriangleMesh mesh;
-  Colour colour{0.60, 0.62, 0.66};
+  Colour colour = usual_colour;
 };
 
 /// The parts as a 3MF package (core specification) in millimetres: an object with the part's name

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <stdexcept>
 
 #include "export/mesh/mesh_checks.h"
+#include "export/mesh/text_writer.h"
 #include "export/mesh/three_mf_file.h"
 #include "export/mesh/zip_archive.h"
 #include "files/atomic_file.h"
@@ -29,12 +29,6 @@ constexpr std::string_view relationships =
     " <Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
     "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n"
     "</Relationships>\n";
-
-void append_number(std::string& text, auto number) {
-  std::array<char, 32> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number);
-  text.append(digits.data(), end.ptr);
-}
 
 /// How many bytes the UTF-8 character at the front of `text` has; 0 when there is none.
 std::size_t character_size(std::string_view text) {

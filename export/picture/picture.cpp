@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "design/text/written_number.h"
 #include "export/picture/ambient_occlusion.h"
+#include "export/picture/lettering.h"
 #include "export/picture/rasteriser.h"
 #include "export/picture/vectors.h"
 #include "export/picture/view.h"
@@ -155,10 +157,72 @@ std::uint8_t byte_of(double fraction) {
   return static_cast<std::uint8_t>(std::lround(255 * std::clamp(fraction, 0.0, 1.0)));
 }
 
+std::array<double, 2> pixel_of(const View& view, const Point& place) {
+  const Point on_screen = view.on_screen(place);
+  return {on_screen[0] / samples, on_screen[1] / samples};
+}
+
+// Small enough that labels side by side keep apart, as far as that goes.
+double letter_px(const std::vector<PictureLabel>& labels, const View& view, double usual) {
+  double share = 1;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (labels[i].lines != labels[j].lines) continue;
+      const auto a = pixel_of(view, labels[i].at_mm);
+      const auto b = pixel_of(view, labels[j].at_mm);
+      if (std::abs(a[1] - b[1]) > 2 * usual) continue;
+      const double needed =
+          0.5 * (width_px(labels[i].text, usual) + width_px(labels[j].text, usual)) + usual;
+      share = std::min(share, std::abs(a[0] - b[0]) / needed);
+    }
+  }
+  return usual * std::max(0.5, share);
+}
+
+// The largest of 1, 2, 5, 10, ... mm that is no longer than a fifth of the picture.
+void draw_scale_bar(Image& image, double px_per_mm, double letter) {
+  const double longest_mm = 0.2 * image.width / px_per_mm;
+  const double decade = std::pow(10, std::floor(std::log10(longest_mm)));
+  double mm = decade;
+  for (const double times : {2.0, 5.0}) {
+    if (times * decade <= longest_mm) mm = times * decade;
+  }
+  const double y = image.height - 1.2 * letter;
+  const double left = 1.2 * letter;
+  const double right = left + mm * px_per_mm;
+  const Colour ink{0.2, 0.2, 0.2};
+  const double thick = std::max(1.5, 0.12 * letter);
+  draw_line(image, {left, y}, {right, y}, thick, ink);
+  for (const double x : {left, right}) {
+    draw_line(image, {x, y - 0.5 * letter}, {x, y + 0.5 * letter}, thick, ink);
+  }
+  const std::string text = written(mm, 6) + " mm";
+  draw_text(
+      image,
+      {text, {right + 0.8 * letter + 0.5 * width_px(text, letter), y + 0.5 * letter}, letter, ink});
+}
+
+void draw_texts(Image& image, const View& view, const Camera& camera, const PictureText& text) {
+  const double usual = std::min(image.width, image.height) / 50.0;
+  const double letter = letter_px(text.labels, view, usual);
+  for (const PictureLabel& label : text.labels) {
+    auto at = pixel_of(view, label.at_mm);
+    at[1] += label.lines * usual + 0.5 * letter;
+    draw_text(image, {label.text, at, letter});
+  }
+  if (!text.scale_bar) return;
+  const Point sideways = cross(camera.direction, camera.up);
+  const Point right = (1 / std::sqrt(dot(sideways, sideways))) * sideways;
+  const auto from = pixel_of(view, text.bar_at_mm);
+  const auto to = pixel_of(view, text.bar_at_mm + right);
+  const double px_per_mm = std::hypot(to[0] - from[0], to[1] - from[1]);
+  if (px_per_mm > 0) draw_scale_bar(image, px_per_mm, usual);
+}
+
 }  // namespace
 
 Image draw_picture(const std::vector<PictureObject>& objects, const Camera& camera,
-                   const PictureOptions& options) {
+                   const PictureOptions& options, const PictureText& text) {
   require_valid(camera, options);
   const View view(objects, camera, options, samples);
   const Scene scene(objects, view, options);
@@ -178,6 +242,7 @@ Image draw_picture(const std::vector<PictureObject>& objects, const Camera& came
       image.rgba.push_back(byte_of(paint.opacity));
     }
   }
+  draw_texts(image, view, camera, text);
   return image;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "export/colour.h"
@@ -14,7 +15,7 @@ namespace latticast {
 /// A mesh as it is to be shown. Both sides of its triangles are drawn.
 struct PictureObject {
   TriangleMesh mesh;
-  Colour colour{0.60, 0.62, 0.66};
+  Colour colour = usual_colour;
   Point offset_mm{0, 0, 0};  ///< added to every vertex: places objects side by side
   double opacity = 1;  ///< below 1, what lies behind the object's nearest surface shines through
 };
@@ -33,6 +34,21 @@ struct PictureOptions {
   bool transparent = false;  ///< background: transparent instead of white
 };
 
+/// A text at a place of the scene, `lines` of its own height below it (above where negative).
+struct PictureLabel {
+  std::string text;
+  Point at_mm{};
+  double lines = 0;
+};
+
+/// What is written over a picture. Letters are as high as 1/50 of its smaller side, and smaller,
+/// down to half of that, where the labels of one row would meet.
+struct PictureText {
+  std::vector<PictureLabel> labels;
+  bool scale_bar = false;  ///< in the lower left corner, for what stands at `bar_at_mm`
+  Point bar_at_mm{};
+};
+
 /// Draws the objects: z-buffer, 3 x 3 samples a pixel, facet normals under two lights that turn
 /// with the camera, crevices darkened by depth. Transparent objects show their nearest surface
 /// only, each laid over the opaque ones in the order given. The image depends on the arguments
@@ -40,6 +56,6 @@ struct PictureOptions {
 /// background. Throws std::invalid_argument for a zero direction, an `up` parallel to it, or sizes
 /// out of range.
 Image draw_picture(const std::vector<PictureObject>& objects, const Camera& camera,
-                   const PictureOptions& options = {});
+                   const PictureOptions& options = {}, const PictureText& text = {});
 
 }  // namespace latticast

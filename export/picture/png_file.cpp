@@ -33,7 +33,7 @@ std::vector<std::uint8_t> without_opacity(const std::vector<std::uint8_t>& rgba)
 
 }  // namespace
 
-void write_png(const std::filesystem::path& file, const Image& image) {
+std::string encode_png(const Image& image) {
   if (image.width <= 0 || image.height <= 0 ||
       image.rgba.size() != std::size_t{4} * image.width * image.height) {
     throw std::invalid_argument("an image whose data does not have the size it says");
@@ -49,11 +49,15 @@ void write_png(const std::filesystem::path& file, const Image& image) {
   std::string bytes(PNG_IMAGE_PNG_SIZE_MAX(header), '\0');
   png_alloc_size_t size = bytes.size();
   if (png_image_write_to_memory(&header, bytes.data(), &size, 0, pixels.data(), 0, nullptr) == 0) {
-    throw FileError(file,
-                    std::string("cannot be encoded: ") + static_cast<const char*>(header.message));
+    throw std::runtime_error(std::string("a picture cannot be encoded: ") +
+                             static_cast<const char*>(header.message));
   }
   bytes.resize(size);
-  write_file_atomically(file, bytes);
+  return bytes;
+}
+
+void write_png(const std::filesystem::path& file, const Image& image) {
+  write_file_atomically(file, encode_png(image));
 }
 
 }  // namespace latticast

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace latticast {
@@ -16,10 +17,13 @@ struct Image {
   std::vector<std::uint8_t> rgba;
 };
 
-/// Writes a PNG of 8 bits a channel, without dates or other text: the same image gives the same
-/// bytes. Fully opaque images are written without the opacity channel. The file appears whole or
-/// not at all (TemporaryFile). Throws FileError, and std::invalid_argument for an empty image or
-/// one whose data has another size.
+/// The image as PNG of 8 bits a channel, without dates or other text: the same image gives the same
+/// bytes. Fully opaque images are written without the opacity channel. Throws std::runtime_error,
+/// and std::invalid_argument for an empty image or one whose data has another size.
+std::string encode_png(const Image& image);
+
+/// Writes encode_png(image). The file appears whole or not at all (TemporaryFile). Throws
+/// FileError, and as that does.
 void write_png(const std::filesystem::path& file, const Image& image);
 
 }  // namespace latticast

@@ -259,6 +259,12 @@ class Auditor {
 
 }  // namespace
 
+bool Audit::has_only(Defect defect) const {
+  std::size_t all = 0;
+  for (const std::size_t count : counts) all += count;
+  return all > 0 && all == count(defect);
+}
+
 std::string_view name(Defect defect) {
   constexpr std::array<std::string_view, 8> names{"coordinate that is not finite",
                                                   "triangle without area",

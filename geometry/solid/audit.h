@@ -48,6 +48,8 @@ struct Audit {
 
   std::size_t count(Defect defect) const { return counts[static_cast<std::size_t>(defect)]; }
   bool passes() const { return findings.empty(); }
+  /// It has this defect and no other.
+  bool has_only(Defect defect) const;
 };
 
 /// Audits a welded mesh (weld.h): every edge has two triangles that run along it in opposite

@@ -21,12 +21,13 @@ int sectors_of(const Segment& segment, const SolidOptions& options, double facet
     const double angle = share * std::sqrt(8 * options.tolerance_mm / grown);
     sectors = std::max(sectors, static_cast<int>(std::ceil(2 * std::numbers::pi / angle)));
   }
-  return sectors;
+  return sectors << options.refinement;
 }
 
 double bands_of(const Segment& segment, const SolidOptions& options, int sectors) {
   const double turn = std::abs(options.twist_rad_per_mm) * segment.length_mm;
-  return std::ceil(turn / (2 * std::numbers::pi / sectors));
+  const double bands = std::ceil(turn / (2 * std::numbers::pi / sectors));
+  return options.refinement == 0 ? bands : std::max(1.0, bands) * (1 << options.refinement);
 }
 
 // A helix is steepest at the smallest radius: its rise stays, its way around shrinks.

@@ -216,7 +216,7 @@ std::vector<PlanePoint> in_mm(const Loop& loop, const PlaneGrid& grid, double le
 }  // namespace
 
 FlatPattern flat_pattern(const Segment& segment, double tolerance_mm) {
-  LatticeDrawing drawing(segment);
+  LatticeDrawing drawing(segment, tolerance_mm);
   return flat_pattern(drawing, tolerance_mm);
 }
 

@@ -35,6 +35,11 @@ PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int sectors
   return grid;
 }
 
+PlaneGrid make_flat_grid(double circumference_mm, double length_mm) {
+  constexpr int few_sectors = 16;  // narrow ones have few edges to look at
+  return make_plane_grid(circumference_mm, length_mm, few_sectors);
+}
+
 double least_width_mm(const PlaneGrid& grid) {
   return fewest_steps_across * std::max(grid.u_step_mm, grid.z_step_mm);
 }

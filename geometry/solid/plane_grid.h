@@ -36,6 +36,9 @@ inline constexpr double finest_step_mm = 2e-5;
 PlaneGrid make_plane_grid(double circumference_mm, double length_mm, int sectors,
                           double step_mm = finest_step_mm, double start_z_mm = 0);
 
+/// A grid for a plane that stays flat: sectors only cut its outlines.
+PlaneGrid make_flat_grid(double circumference_mm, double length_mm);
+
 /// Grid steps across the thinnest strand or ring that a grid can carry.
 inline constexpr double fewest_steps_across = 16;
 double least_width_mm(const PlaneGrid& grid);

@@ -2,6 +2,7 @@
 #include "geometry/solid/region.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
@@ -325,6 +326,55 @@ DrawingError region_error(const Region& region, int layer) {
   error.distance_mm += farthest_snap * std::hypot(grid.u_step_mm, grid.z_step_mm);
   error.area_mm2 += usual_snap * snapped * grid.u_step_mm * grid.z_step_mm;
   return error;
+}
+
+std::vector<OutlineCurve> outline_curves(const Region& region) {
+  constexpr std::uint32_t none = UINT32_MAX;
+  VertexIndex index;
+  std::vector<PlanePoint> places;
+  std::vector<std::array<std::uint32_t, 2>> neighbours;
+  const PlaneGrid& grid = region.grid;
+  const auto index_of = [&](const PlaneVertex& vertex) {
+    const auto [at, is_new] = index.try_emplace(vertex, static_cast<std::uint32_t>(places.size()));
+    if (is_new) {
+      const double steps = static_cast<double>(vertex.sector) * grid.sector_steps + vertex.point.u;
+      places.push_back({steps * grid.u_step_mm, vertex.point.z * grid.z_step_mm});
+      neighbours.push_back({none, none});
+    }
+    return at->second;
+  };
+  const auto join = [&](std::uint32_t from, std::uint32_t to) {
+    neighbours[from][neighbours[from][0] == none ? 0 : 1] = to;
+  };
+  for_each_outline_edge(region, [&](const PlaneVertex& a, const PlaneVertex& b, Layers layers) {
+    if ((layers & 1U) == 0) return;
+    const std::uint32_t i = index_of(a);
+    const std::uint32_t j = index_of(b);
+    join(i, j);
+    join(j, i);
+  });
+  const double circumference = grid.sectors * grid.sector_steps * grid.u_step_mm;
+  std::vector<char> seen(places.size(), 0);
+  std::vector<OutlineCurve> curves;
+  for (std::uint32_t first = 0; first < places.size(); ++first) {
+    if (seen[first] != 0) continue;
+    OutlineCurve curve;
+    double u = places[first].u;
+    std::uint32_t before = none;
+    std::uint32_t at = first;
+    do {
+      seen[at] = 1;
+      curve.points.push_back({u, places[at].z});
+      const auto& [one, other] = neighbours[at];
+      const std::uint32_t next = before == none || one == before ? other : one;
+      u += std::remainder(places[next].u - places[at].u, circumference);
+      before = at;
+      at = next;
+    } while (at != first);
+    curve.around_mm = circumference * std::round((u - places[first].u) / circumference);
+    curves.push_back(std::move(curve));
+  }
+  return curves;
 }
 
 int outline_loops(const Region& region) {

@@ -74,6 +74,16 @@ double area_mm2(const Region& region, int layer = 0);
 /// are taken to have moved by 1.5 steps, half of one on average; ends of the segment stay.
 DrawingError region_error(const Region& region, int layer = 0);
 
+/// A closed outline of layer 0, unrolled from its first point on. Its last point is joined to the
+/// first, `around_mm` further along u.
+struct OutlineCurve {
+  std::vector<PlanePoint> points;
+  double around_mm = 0;  ///< 0, or a whole number of circumferences
+};
+
+/// All of them. Which way round they run says nothing.
+std::vector<OutlineCurve> outline_curves(const Region& region);
+
 /// Number of closed outline curves of layer 0. A region of c pieces has first Betti number loops -
 /// c, which is the genus of the solid that wraps it.
 int outline_loops(const Region& region);

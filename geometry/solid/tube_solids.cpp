@@ -105,7 +105,7 @@ LaidOut lay_out_clear(const Segment& segment, const SolidOptions& options, const
                       TriangleMesh& mesh) {
   const double coarsest =
       std::min(layer.budget.coarsest_step_mm, layer.thinnest_strand_mm / (2 * fewest_steps_across));
-  Fineness fineness;
+  Fineness fineness{std::max(finest_step_mm, options.least_step_mm), 1 << options.refinement};
   LaidOut laid_out = lay_out(segment, options, layer, fineness);
   mesh = wrap(laid_out.relief);
   while (layer.has_curves && fineness.step_mm < coarsest && intersects_itself(mesh)) {
@@ -157,7 +157,7 @@ Solid wrap_layer(const Segment& segment, const SolidOptions& options, const Laye
 }  // namespace
 
 Solid lattice_solid(const Segment& segment, const SolidOptions& options) {
-  LatticeDrawing drawing(segment);
+  LatticeDrawing drawing(segment, options.tolerance_mm);
   return lattice_solid(drawing, options);
 }
 

@@ -18,6 +18,9 @@ struct SolidOptions {
   double stretch_radius =
       1;               ///< largest factor by which its outer radius will grow later (preview)
   double stretch = 1;  ///< largest factor by which short lines on it will grow later (preview)
+  int refinement =
+      0;  ///< each doubles sectors and levels, and makes four cuts along the tube of one
+  double least_step_mm = 0;  ///< of the plane's grid; finer ones would be lost later (preview)
 };
 
 /// A mesh with what the planar region says that it must be.

@@ -215,6 +215,15 @@ double Shape::largest_stretch(std::size_t segment) const {
   return std::max(radial, in_surface);
 }
 
+double Shape::least_stretch(std::size_t segment) const {
+  const Piece& piece = pieces_.at(segment);
+  const State& state = piece.state;
+  const double around =
+      std::min(state.inner_radius_mm / piece.inner_radius_mm, 1 / std::sqrt(state.stretch));
+  const double along = state.stretch - state.bend_magnitude_rad_per_mm() * state.outer_radius_mm;
+  return std::max(0.0, around * along / largest_stretch(segment));
+}
+
 double Shape::longest_straight_mm(std::size_t segment, double tolerance_mm) const {
   const double curving = curving_rad_per_mm(segment);
   if (curving == 0) return std::numeric_limits<double>::infinity();

@@ -84,6 +84,10 @@ class Shape {
   /// singular value of F (docs/model.md#coordinates) with each entry as large as it is anywhere.
   double largest_stretch(std::size_t segment) const;
 
+  /// At most the factor by which any short line on the lattice's faces becomes shorter: the
+  /// smallest singular value of F in the wall, with each entry as it is least favourable anywhere.
+  double least_stretch(std::size_t segment) const;
+
   /// Longest axial rest distance between mesh vertices of a segment for which a straight line at
   /// the outer surface, moved, departs from its chord by no more than `tolerance_mm` (> 0): 2
   /// acos(1 - tolerance/r) / curving. Infinite for a straight segment.

@@ -58,30 +58,29 @@ function show_checks(report, placed, on_show) {
   const box = by_id("checks-content");
   box.append(h("p", {}, `The checks gave ${checks_summary(report.checks)}.`));
   if (findings.length === 0) return;
-  box.append(
-    table_of(
-      "Findings of the checks",
-      [
-        { head: "No.", number: true, cell: (_, i) => String(i + 1) },
-        { head: "Severity", cell: (f) => severity_mark(f.severity) },
-        {
-          head: "Finding",
-          cell: (f) => [
-            h("p", {}, capital(f.message ?? "")),
-            f.remedy ? h("p", { class: "remedy" }, capital(f.remedy)) : "",
-            h("code", {}, f.code),
-          ],
-        },
-        { head: "Where", cell: place_text },
-        { head: "Value", number: true, cell: value_text },
-        ...(placed.size
-          ? [{ head: "In the view", cell: (_, i) => (placed.has(i) ? show_button(i, on_show) : MISSING) }]
-          : []),
-      ],
-      findings,
-      (_, i) => ({ id: `finding-${i}`, tabindex: "-1" }),
-    ),
+  const table = table_of(
+    "Findings of the checks",
+    [
+      { head: "No.", number: true, cell: (_, i) => String(i + 1) },
+      { head: "Severity", cell: (f) => severity_mark(f.severity) },
+      {
+        head: "Finding",
+        cell: (f) => [
+          h("p", {}, capital(f.message ?? "")),
+          f.remedy ? h("p", { class: "remedy" }, capital(f.remedy)) : "",
+          h("code", {}, f.code),
+        ],
+      },
+      { head: "Where", cell: place_text },
+      { head: "Value", number: true, cell: value_text },
+      ...(placed.size
+        ? [{ head: "In the view", cell: (_, i) => (placed.has(i) ? show_button(i, on_show) : MISSING) }]
+        : []),
+    ],
+    findings,
+    (_, i) => ({ id: `finding-${i}`, tabindex: "-1" }),
   );
+  box.append(h("div", { class: "findings" }, table));
 }
 
 /** Marks the finding that the view shows now. @param {number|null} index */

@@ -27,7 +27,7 @@ function piece_table(pieces) {
   return table_of(
     "Bill of pieces",
     [
-      { head: "Piece", cell: (p) => p.name },
+      { head: "Piece", cell: (p) => (p.prints > 1 ? `${p.name}: print ${p.prints} ×` : p.name) },
       { head: "Kind", cell: (p) => PIECE_KINDS[p.kind] ?? p.kind },
       { head: "Segment", number: true, cell: (p) => (p.segment > 0 ? String(p.segment) : null) },
       { head: "Material", cell: (p) => p.material },

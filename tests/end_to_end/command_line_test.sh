@@ -156,13 +156,20 @@ expect 0 "$program" build apart.toml -o apart --only preview
 says "twisting-36-segment-2-preview-5_10kPa-liner.stl: closed, 1 piece"
 holds test "$(find apart -name '*-preview-10kPa-*.stl' | wc -l)" -eq 4
 sed 's/pressures = \[0, 20, 40\]/pressures = [500]/' "$design" >burst.toml
-expect 3 "$program" build burst.toml -o bad
+expect 3 "$program" build burst.toml -o bad --only preview
 err_says "500 kPa"
 holds test ! -e bad
+# What cannot be made takes nothing else with it.
+expect 3 "$program" build burst.toml -o rest
+err_says "500 kPa"
+err_says "all other files are in rest"
+says "twisting-36-lattice.stl: closed, 1 piece, genus 57"
+holds test -s rest/twisting-36-lattice.stl
+holds test -z "$(find rest -name '*preview*')"
 
 # A failed build leaves an old file as it was; an unwritable folder is a file error.
 mkdir kept && echo old >kept/twisting-36-lattice.stl
-expect 3 "$program" build burst.toml -o kept
+expect 3 "$program" build burst.toml -o kept --only preview
 holds test "$(cat kept/twisting-36-lattice.stl)" = old
 holds test "$(ls -A kept)" = twisting-36-lattice.stl
 touch file

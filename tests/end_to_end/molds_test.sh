@@ -21,7 +21,7 @@ for design in "$examples/molds/twisting_molds.toml" "$examples/molds/bending_mol
   says "lattice-mold-core.stl: closed, 1 piece, genus 0"
   says "liner-mold-cap.stl: closed, 1 piece, genus 3"
   says "liner-mold-plug-inlet.stl: closed, 1 piece, genus 1"
-  holds test -z "$(grep -v -e ': closed, 1 piece, genus' -e 'the mold taken apart' \
+  holds test -z "$(grep -v -e ': closed, 1 piece, genus' -e 'the mold taken apart' -e ': print ' \
     -e 'report.html: ' -e 'report.json: ' -e 'response.csv: ' <<<"$out")"
 done
 holds test "$(find molds -name '*-lattice-mold-shell-*.stl' | wc -l)" -ge 15
@@ -83,5 +83,35 @@ expect 2 "$program" build bed.toml -o bad --force
 err_says "the mold does not fit the printer"
 err_says "core is 32 x 32.01 x 104.7 mm"
 holds test ! -e bad
+
+# Pieces of one shape are one file; the pages to cast by and the report count them.
+cat >twins.toml <<'END'
+name = "twins"
+[[segment]]
+length = 40
+liner = { inner_radius = 12, thickness = 4, material = "ecoflex-00-50" }
+[[segment]]
+length = 40
+liner = { inner_radius = 12, thickness = 4, material = "ecoflex-00-50" }
+[[segment]]
+length = 60
+liner = { inner_radius = 12, thickness = 4, material = "ecoflex-00-50" }
+[make]
+liner_mold = {}
+report = true
+[load]
+pressure = 1
+[export]
+formats = ["stl"]
+END
+expect 0 "$program" build twins.toml -o twins --force
+says "twins-segment-1-liner-mold-core: print 2 ×"
+says "twins-segment-1-liner-mold-plug: print 3 ×"
+holds test -z "$(md5sum twins/*.stl | cut -d ' ' -f 1 | sort | uniq -d)"
+holds test ! -e twins/twins-segment-2-liner-mold-core.stl
+holds test -s twins/twins-segment-3-liner-mold-core.stl
+holds grep -q 'twins-segment-1-liner-mold-plug`: print 3 ×, as twins-segment-1-liner-mold-plug, twins-segment-2' twins/twins-segment-3-liner-mold.md
+holds grep -q '"prints": 3' twins/twins-report.json
+holds test "$(grep -o 'img alt="twins-segment-[123]-liner-mold, taken apart" src="data:image/png;base64,iVBOR' twins/twins-report.html | wc -l)" -eq 3
 
 finish

@@ -61,7 +61,12 @@ assert drawing.units == 4, drawing.units
 assert all(outline.closed for outline in outlines)
 assert {outline.dxf.layer for outline in outlines} == {"LATTICE", "SHEET"}
 sheet = [o for o in outlines if o.dxf.layer == "SHEET"][0].get_points("xy")
-assert abs(sheet[2][0] - 106.81415022205297) < 1e-9 and sheet[2][1] == 85, sheet
+size = [sheet[2][axis] - sheet[0][axis] for axis in (0, 1)]
+assert abs(size[0] - 106.81415022205297) < 1e-9 and abs(size[1] - 85) < 1e-9, sheet
+points = [point for outline in outlines for point in outline.get_points("xy")]
+for mark in drawing.modelspace().query("LINE TEXT"):
+    points += [mark.dxf.start, mark.dxf.end] if mark.dxftype() == "LINE" else [mark.dxf.insert]
+assert min(min(point[0], point[1]) for point in points) >= 0
 END
 done
 for drawing in flat/*.svg; do

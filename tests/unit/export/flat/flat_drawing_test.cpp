@@ -72,7 +72,12 @@ TEST(FlatSvg, IsAtTrueScaleAndHoldsEveryPoint) {
   EXPECT_GT(box[0] + box[2], drawing.width_mm);
   EXPECT_LT(box[1], 0);
   EXPECT_GT(box[1] + box[3], 85);
-  const std::vector<std::string> paths = found(text, "<path d=\"([^\"]*)\"");
+  // Nothing but paths and texts: some programs pass over rectangles and lines.
+  EXPECT_EQ(text.find("<rect"), std::string::npos);
+  EXPECT_EQ(text.find("<line"), std::string::npos);
+  EXPECT_GE(found(text, "<path d=\"([^\"]*)\"").size(), 1U + 7 + 2);
+  const std::vector<std::string> paths =
+      found(text.substr(text.find("id=\"lattice\"")), "<path d=\"([^\"]*)\"");
   ASSERT_EQ(paths.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
     std::vector<double> expected;
@@ -108,6 +113,7 @@ TEST(FlatDxf, TellsMillimetresAndHoldsEveryPointOnItsLayer) {
   std::map<std::string, std::string> header;
   std::vector<double> points;
   std::map<std::string, int> outlines;
+  std::array<double, 2> shift{HUGE_VAL, HUGE_VAL};  // of the sheet's lower left corner
   int closed = 0;
   for (std::size_t i = 0; i < tags.size(); ++i) {
     if (tags[i].first == 9) header[tags[i].second] = tags[i + 1].second;
@@ -116,6 +122,10 @@ TEST(FlatDxf, TellsMillimetresAndHoldsEveryPointOnItsLayer) {
     for (++i; tags[i].first != 0; ++i) {
       if (tags[i].first == 8) layer = tags[i].second;
       if (tags[i].first == 70) closed += tags[i].second == "1";
+      if (layer == "SHEET" && (tags[i].first == 10 || tags[i].first == 20)) {
+        double& least = shift[tags[i].first / 10 - 1];
+        least = std::min(least, std::stod(tags[i].second));
+      }
       if (layer != "LATTICE") continue;
       if (tags[i].first == 10 || tags[i].first == 20) points.push_back(std::stod(tags[i].second));
     }
@@ -130,13 +140,25 @@ TEST(FlatDxf, TellsMillimetresAndHoldsEveryPointOnItsLayer) {
   for (const DrawnPiece& piece : drawing.pieces) {
     for (const DrawnOutline& outline : piece.outlines) {
       for (const auto& [x, y] : outline) {
-        expected.push_back(x);
-        expected.push_back(y);
+        expected.push_back(x + shift[0]);
+        expected.push_back(y + shift[1]);
       }
     }
   }
   EXPECT_EQ(points, expected);
   EXPECT_EQ(tags.back(), (std::pair<int, std::string>{0, "EOF"}));
+}
+
+TEST(FlatDxf, HasNoNegativeCoordinate) {
+  const TestFolder folder;
+  write_dxf(folder / "a.dxf", example_drawing());
+  int coordinates = 0;
+  for (const auto& [code, value] : tags_of(bytes_of(folder / "a.dxf"))) {
+    const bool is_coordinate = (code >= 10 && code <= 12) || (code >= 20 && code <= 22);
+    coordinates += is_coordinate ? 1 : 0;
+    EXPECT_TRUE(!is_coordinate || std::stod(value) >= 0) << code;
+  }
+  EXPECT_GT(coordinates, 60);
 }
 
 TEST(FlatDxf, HasHandlesThatAreNeverUsedTwiceAndLettersOfAscii) {
@@ -171,7 +193,7 @@ TEST(FlatDrawing, IsTheSameEveryTimeAndHasNoExponents) {
   }
   EXPECT_EQ(bytes_of(folder / "a.svg"), bytes_of(folder / "b.svg"));
   EXPECT_EQ(bytes_of(folder / "a.dxf"), bytes_of(folder / "b.dxf"));
-  EXPECT_NE(bytes_of(folder / "a.dxf").find("\n0.0000001\n"), std::string::npos);
+  EXPECT_EQ(found(bytes_of(folder / "a.dxf"), "\n([0-9]+\\.0000001)\n").size(), 1U);
 }
 
 TEST(FlatDrawing, OfAShortSheetHasAShorterScaleBar) {

@@ -70,7 +70,10 @@ Scene example_scene(bool animated) {
             ring,
             {1, 0.5, 0},
             {{"20", lifted(ring.vertices, 0.1)}, {"40", lifted(ring.vertices, 0.3)}}},
-           {"segment-1-liner", small, {0, 0, 1}, {{"\"ü<&", lifted(small.vertices, -1)}}},
+           {"segment-1-liner",
+            small,
+            {0, 0, 1},
+            {{"20", small.vertices}, {"\"ü<&", lifted(small.vertices, -1)}}},
            {"clamp", small, {}}},
           animated};
 }
@@ -163,17 +166,46 @@ TEST(GlbFile, KeyframesShowOneTargetEach) {
   const Json& animation = parts.json["animations"][0];
   EXPECT_EQ(animation["name"], "inflate");
   ASSERT_EQ(animation["channels"].size(), 2U);
-  const std::vector<std::vector<float>> times{{0, 1, 2}, {0, 1}};
-  const std::vector<std::vector<float>> weights{{0, 0, 1, 0, 0, 1}, {0, 1}};
+  const std::vector<float> times{0, 1, 2, 3, 4};
+  const std::vector<float> weights{0, 0, 1, 0, 0, 1, 1, 0, 0, 0};
   for (std::size_t i = 0; i < 2; ++i) {
     const Json& channel = animation["channels"][i];
     EXPECT_EQ(channel["target"], Json({{"node", i + 1}, {"path", "weights"}}));
     const Json& sampler = animation["samplers"][channel["sampler"].get<int>()];
+    // With STEP, ParaView never shows the last state.
     EXPECT_EQ(sampler.value("interpolation", "LINEAR"), "LINEAR");
-    EXPECT_EQ(parts.floats(sampler["input"]), times[i]);
-    EXPECT_EQ(parts.floats(sampler["output"]), weights[i]);
-    EXPECT_EQ(parts.json["accessors"][sampler["input"].get<int>()]["max"], Json({times[i].back()}));
+    EXPECT_EQ(parts.floats(sampler["input"]), times);
+    EXPECT_EQ(parts.floats(sampler["output"]), weights);
+    EXPECT_EQ(parts.json["accessors"][sampler["input"].get<int>()]["max"], Json({times.back()}));
   }
+}
+
+// A preview at 0 kPa shows what is there without it.
+TEST(GlbFile, StatesAtRestAreNoTargets) {
+  const TriangleMesh ring = torus(8, 5);
+  Scene scene{{{"a",
+                ring,
+                {},
+                {{"-2", lifted(ring.vertices, -0.1)},
+                 {"0", ring.vertices},
+                 {"2", lifted(ring.vertices, 0.1)}}}},
+              true};
+  const Parts parts(encode_glb(scene));
+  EXPECT_EQ(parts.json["meshes"][0]["extras"]["targetNames"], Json({"-2", "2"}));
+  const Json& sampler = parts.json["animations"][0]["samplers"][0];
+  EXPECT_EQ(parts.floats(sampler["input"]), (std::vector<float>{0, 1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(parts.floats(sampler["output"]),
+            (std::vector<float>{0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0}));
+  scene.bodies[0].targets = {{"0", ring.vertices}};
+  const Parts still(encode_glb(scene));
+  EXPECT_FALSE(still.json.contains("animations"));
+  EXPECT_FALSE(still.json["meshes"][0].contains("weights"));
+}
+
+TEST(GlbFile, AnimatesNoBodiesWithDifferentNumbersOfStates) {
+  Scene scene = example_scene(true);
+  scene.bodies[1].targets.pop_back();
+  EXPECT_THROW(encode_glb(scene), std::invalid_argument);
 }
 
 TEST(GlbFile, WithoutTargetsThereIsNoAnimation) {

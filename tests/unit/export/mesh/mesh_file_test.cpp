@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export/mesh/mesh_file.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -90,7 +91,9 @@ class MeshFile : public testing::TestWithParam<MeshFormat> {
 
 INSTANTIATE_TEST_SUITE_P(Written, MeshFile, testing::ValuesIn(all_mesh_formats()),
                          [](const auto& instance) {
-                           return std::string(extension(instance.param).substr(1));
+                           std::string name(extension(instance.param).substr(1));
+                           std::replace(name.begin(), name.end(), '.', '_');
+                           return name;
                          });
 
 TEST_P(MeshFile, ReadsBackBitForBit) {
@@ -233,6 +236,15 @@ TEST(StlFile, AFacetWithoutAreaHasNoNormal) {
   EXPECT_EQ(bytes_of(folder / "a.stl").substr(84, 12), std::string(12, '\0'));
 }
 
+TEST(StlFile, IsTextWhereAsked) {
+  const TestFolder folder;
+  write_mesh(folder / "my part-text.stl", {{{0, 0, 0}, {1, 0, 0}, {0, 0.1, 0}}, {{0, 1, 2}}},
+             MeshFormat::stl_text);
+  EXPECT_EQ(bytes_of(folder / "my part-text.stl"),
+            "solid my_part-text\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+            "vertex 0 0.1 0\nendloop\nendfacet\nendsolid my_part-text\n");
+}
+
 TEST(StlFile, WeldsBackToTheSharedVertices) {
   const TestFolder folder;
   const TriangleMesh mesh = torus(40, 12);
@@ -340,12 +352,33 @@ TEST(TextFiles, MayBeginWithAByteOrderMark) {
   }
 }
 
+TEST(PartColour, IsInTheFormatsThatHaveOne) {
+  const TestFolder folder;
+  const MeshLook look{.colour = {0.2, 0.4, 1}};
+  write_mesh(folder / "a.glb", tetrahedron(), MeshFormat::glb, look);
+  write_mesh(folder / "a.3mf", tetrahedron(), MeshFormat::three_mf, look);
+  const std::string glb = bytes_of(folder / "a.glb");
+  const std::size_t at = glb.find("\"baseColorFactor\":[");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_NEAR(std::stod(glb.substr(at + 19)), std::pow((0.2 + 0.055) / 1.055, 2.4), 1e-9);
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile((folder / "a.3mf").string(), 0);
+  ASSERT_NE(scene, nullptr) << importer.GetErrorString();
+  aiColor4D seen;
+  ASSERT_EQ(
+      scene->mMaterials[scene->mMeshes[0]->mMaterialIndex]->Get(AI_MATKEY_COLOR_DIFFUSE, seen),
+      aiReturn_SUCCESS);
+  EXPECT_NEAR(seen.r, 51 / 255.0, 1e-6);
+  EXPECT_NEAR(seen.g, 102 / 255.0, 1e-6);
+  EXPECT_NEAR(seen.b, 1, 1e-6);
+}
+
 TEST(ObjFile, IsPlainText) {
   const TestFolder folder;
   write_mesh(folder / "a.obj", tetrahedron(), MeshFormat::obj);
   EXPECT_EQ(
       bytes_of(folder / "a.obj"),
-      "# unit mm\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+      "# unit mm\no a\nv 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
   EXPECT_EQ(read_mesh(folder / "a.obj").triangles, tetrahedron().triangles);
   EXPECT_EQ(read_mesh(folder / "a.obj").vertices.size(), 4U);
 }

@@ -70,7 +70,7 @@ TEST(PlyFile, SpellsOutItsHeaderAndBytes) {
   body.put(0.0F).put(1.0F).put(0.0F).put<char>(0).put<std::uint8_t>(255).put<std::uint8_t>(255);
   body.put(0.0F).put(0.0F).put(0.1F).put<char>(51).put<char>(102).put<std::uint8_t>(153);
   body.put<char>(3).put(2).put(0).put(1);
-  EXPECT_EQ(encode_ply(mesh, colours),
+  EXPECT_EQ(encode_ply(mesh, {.vertex_colours = colours}),
             "ply\nformat binary_little_endian 1.0\ncomment unit mm\nelement vertex 3\n"
             "property float x\nproperty float y\nproperty float z\nproperty uchar red\n"
             "property uchar green\nproperty uchar blue\nelement face 1\n"
@@ -78,11 +78,27 @@ TEST(PlyFile, SpellsOutItsHeaderAndBytes) {
                 body.text);
 }
 
+TEST(PlyFile, HasTheQualityOfItsVertices) {
+  const TriangleMesh mesh{{{1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}}, {{2, 0, 1}}};
+  const std::vector<double> strains{0.25, -0.5, 1};
+  const std::string bytes = encode_ply(mesh, {.vertex_qualities = strains});
+  EXPECT_NE(bytes.find("property float z\nproperty float quality\nelement face 1\n"),
+            std::string::npos);
+  const std::size_t body = bytes.find("end_header\n") + 11;
+  ASSERT_EQ(bytes.size(), body + 3 * 16 + 13);
+  for (std::size_t i = 0; i < 3; ++i) {
+    float value = 0;
+    std::memcpy(&value, bytes.data() + body + 16 * i + 12, 4);
+    EXPECT_EQ(value, static_cast<float>(strains[i]));
+  }
+  expect_same_mesh(read(bytes), mesh);
+}
+
 TEST(PlyFile, KeepsNumberingWithAndWithoutColours) {
   for (const TriangleMesh& mesh : {hard_mesh(), torus(33, 9), any_floats(3), tetrahedron()}) {
     expect_same_mesh(read(encode_ply(mesh)), mesh);
     const std::vector<Colour> colours(mesh.vertices.size(), Colour{0.1, 0.2, 0.3});
-    expect_same_mesh(read(encode_ply(mesh, colours)), mesh);
+    expect_same_mesh(read(encode_ply(mesh, {.vertex_colours = colours})), mesh);
   }
 }
 
@@ -93,7 +109,7 @@ TEST(PlyFile, AssimpReadsTheSameColours) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     colours.push_back({static_cast<double>(i) / 255, static_cast<double>(2 * i) / 255, 1});
   }
-  write_mesh(folder / "a.ply", mesh, MeshFormat::ply, colours);
+  write_mesh(folder / "a.ply", mesh, MeshFormat::ply, {.vertex_colours = colours});
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile((folder / "a.ply").string(), 0);
   ASSERT_NE(scene, nullptr) << importer.GetErrorString();
@@ -111,8 +127,9 @@ TEST(PlyFile, AssimpReadsTheSameColours) {
 TEST(PlyFile, NeedsAColourForEachVertex) {
   const TestFolder folder;
   const std::vector<Colour> colours(3);
-  EXPECT_THROW(write_mesh(folder / "a.ply", tetrahedron(), MeshFormat::ply, colours),
-               std::invalid_argument);
+  EXPECT_THROW(
+      write_mesh(folder / "a.ply", tetrahedron(), MeshFormat::ply, {.vertex_colours = colours}),
+      std::invalid_argument);
   EXPECT_TRUE(folder.names().empty());
 }
 
