@@ -223,8 +223,9 @@ Calibrate read_calibrate(const Field& field, WallKind wall) {
     field.refuse("calibrate is for kind = \"bonded\", whose stiffness a unit cell sets",
                  "leave it out, or use kind = \"bonded\"");
   }
-  if (field.is_text()) {
-    if (field.text() != "state") {
+  const bool is_word = field.is_text() && field.text() == "state";
+  if (field.is_text() || field.is_number() || field.is_list() || field.is_table()) {
+    if (!is_word) {
       field.refuse(R"(must be true, false or "state")", R"(write calibrate = "state")");
     }
     return Calibrate::state;

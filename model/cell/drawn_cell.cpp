@@ -126,18 +126,50 @@ FoundCell cell_of(const Segment& segment, const LatticePeriod& found, std::size_
   return {std::make_shared<const UnitCell>(std::move(cell)), {}};
 }
 
+// Of a deck, which takes some kB each in the program that solves it.
+constexpr std::size_t most_wedges = 1'000'000;
+
+FoundWedges wedges_of(const Segment& segment, int sectors, double size) {
+  LatticePeriod all;
+  all.drawn = segment;
+  all.to_mm = segment.length_mm;
+  all.repeats = sectors;
+  all.mirrored = true;  // nothing lies beyond the ends
+  const PeriodPlane plane = plane_of(all);
+  const PeriodDivision division{size * element_size_mm(segment), pi / 6};
+  const PeriodMesh triangles = triangulate_period(plane.region, plane.period, division);
+  const SweptDivision through{.liner = 2, .lattice = 1, .grading = 3};
+  const std::size_t most = triangles.triangles.size() * 3;
+  if (most > most_wedges) {
+    return {{}, "would have up to " + std::to_string(most) + " wedges, more than a million"};
+  }
+  return {swept_wedges(segment, triangles, sectors, through), {}};
+}
+
+/// What `make` finds, or why the lattice cannot be drawn or meshed.
+template <class Found, class Make>
+Found drawn(Make&& make) {
+  try {
+    return make();
+  } catch (const CannotDraw& problem) {
+    return {{}, std::string("cannot be drawn: ") + problem.what()};
+  } catch (const GeometryError& problem) {
+    return {{}, std::string("cannot be meshed: ") + problem.what()};
+  }
+}
+
 }  // namespace
+
+FoundWedges find_drawn_wedges(const Segment& segment, bool whole, double size) {
+  return drawn<FoundWedges>(
+      [&] { return wedges_of(segment, whole ? 1 : equal_sectors(segment), size); });
+}
 
 FoundCell find_drawn_cell(const Segment& segment, int level) {
   const FoundPeriod found = find_period(segment);
   if (!found.period) return {nullptr, found.reason};
-  try {
-    return cell_of(segment, *found.period, static_cast<std::size_t>(level));
-  } catch (const CannotDraw& problem) {
-    return {nullptr, std::string("cannot be drawn: ") + problem.what()};
-  } catch (const GeometryError& problem) {
-    return {nullptr, std::string("cannot be meshed: ") + problem.what()};
-  }
+  return drawn<FoundCell>(
+      [&] { return cell_of(segment, *found.period, static_cast<std::size_t>(level)); });
 }
 
 }  // namespace latticast

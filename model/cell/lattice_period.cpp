@@ -23,16 +23,25 @@ struct FamilyPeriod {
   double along_mm = 0;  // 0: any, as straight strands do
   double cotangent = 0;
   double link_mm = 0;  // height of a link, 0 of a straight strand
-  int strands = 1;     // equal ones, evenly spaced
+  int strands = 1;     // equal ones, or groups of them, evenly spaced
 };
 
-bool are_equal(const std::vector<double>& widths) {
-  return std::all_of(widths.begin(), widths.end(), [&](double w) { return w == widths.front(); });
+/// How often a family's widths repeat around the tube.
+int repeats_of(const std::vector<double>& widths) {
+  const std::size_t count = widths.size();
+  for (std::size_t period = 1; period < count; ++period) {
+    if (count % period != 0) continue;
+    if (std::equal(widths.begin() + static_cast<std::ptrdiff_t>(period), widths.end(),
+                   widths.begin())) {
+      return static_cast<int>(count / period);
+    }
+  }
+  return 1;
 }
 
 FamilyPeriod family_period(const Segment& segment, const Grid& grid) {
   FamilyPeriod family;
-  family.strands = are_equal(grid.widths_mm) ? grid.count() : 1;
+  family.strands = repeats_of(grid.widths_mm);
   family.around_mm = segment.lattice_circumference_mm() / family.strands;
   const StrandDirection direction = grid.direction();
   family.cotangent = direction.cosine / direction.sine;
@@ -227,6 +236,14 @@ class PeriodFinder {
 };
 
 }  // namespace
+
+int equal_sectors(const Segment& segment) {
+  int sectors = 0;
+  for (const Grid& grid : segment.lattice->grids) {
+    if (grid.count() > 0) sectors = std::gcd(sectors, repeats_of(grid.widths_mm));
+  }
+  return std::max(sectors, 1);
+}
 
 FoundPeriod find_period(const Segment& segment) {
   return PeriodFinder(segment).find();

@@ -28,6 +28,9 @@ struct FoundPeriod {
   std::string reason;  ///< why there is none
 };
 
+/// In how many equal sectors the families' strands come. Precondition: a segment with a lattice.
+int equal_sectors(const Segment& segment);
+
 /// Rings and links repeat together after a few pitches, or the rings are set to the links; families
 /// of different angles repeat together or are refused. Precondition: a segment with strands.
 FoundPeriod find_period(const Segment& segment);

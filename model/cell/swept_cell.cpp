@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -16,16 +17,23 @@ namespace {
 
 constexpr double on_end_mm = 1e-6;
 
+/// Radii of the elements' faces and middles, from the bore outwards.
+std::vector<double> levels_mm(const Segment& segment, const SweptDivision& division) {
+  std::vector<double> r = {segment.inner_radius_mm()};
+  append_steps(r, segment.liner_outer_radius_mm(), division.liner, 1 / division.grading);
+  append_steps(r, segment.outer_radius_mm(), division.lattice, 1);
+  return with_middles(r);
+}
+
 class SweptCellBuilder {
  public:
   SweptCellBuilder(const Segment& segment, const PeriodMesh& plane, const SweptPeriod& period,
                    const SweptDivision& division)
-      : plane_(plane), period_(period), drawn_radius_mm_(segment.lattice_mid_radius_mm()) {
-    std::vector<double> r = {segment.inner_radius_mm()};
-    append_steps(r, segment.liner_outer_radius_mm(), division.liner, 1 / division.grading);
-    append_steps(r, segment.outer_radius_mm(), division.lattice, 1);
-    levels_mm_ = with_middles(r);
-    liner_ = division.liner;
+      : plane_(plane),
+        period_(period),
+        drawn_radius_mm_(segment.lattice_mid_radius_mm()),
+        levels_mm_(levels_mm(segment, division)),
+        liner_(division.liner) {
     mesh_.materials =
         cell_materials(segment.liner.material.law, std::get<Linear>(segment.lattice->material.law));
     mesh_.inner_radius_mm = segment.inner_radius_mm();
@@ -149,13 +157,97 @@ class SweptCellBuilder {
   SweptPeriod period_;
   double drawn_radius_mm_;
   std::vector<double> levels_mm_;
-  int liner_ = 0;
+  int liner_;
   CellMesh mesh_;
   std::map<std::pair<std::uint32_t, int>, std::int32_t> numbers_;
   std::map<std::pair<std::uint32_t, int>, Unknowns> first_unknown_;
 };
 
+class SweptWedgeBuilder {
+ public:
+  SweptWedgeBuilder(const Segment& segment, const PeriodMesh& plane, int sectors,
+                    const SweptDivision& division)
+      : plane_(plane),
+        drawn_radius_mm_(segment.lattice_mid_radius_mm()),
+        levels_mm_(levels_mm(segment, division)),
+        liner_(division.liner) {
+    mesh_.sectors = sectors;
+    mesh_.length_mm = segment.length_mm;
+    mesh_.inner_radius_mm = segment.inner_radius_mm();
+  }
+
+  WedgeMesh build() {
+    const auto layers = static_cast<int>(levels_mm_.size() / 2);
+    for (int k = 0; k < layers; ++k) {
+      for (const PeriodMesh::Triangle& triangle : plane_.triangles) {
+        if (k < liner_ || triangle.layers != 0) add_wedge(triangle, k);
+      }
+    }
+    if (mesh_.sectors > 1) add_ties();
+    return std::move(mesh_);
+  }
+
+ private:
+  void add_wedge(const PeriodMesh::Triangle& triangle, int layer) {
+    Wedge wedge{.part = layer < liner_ ? WedgePart::liner : WedgePart::lattice};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t corner = triangle.nodes[c];
+      const std::uint32_t middle = triangle.nodes[3 + c];
+      wedge.nodes[c] = node(corner, 2 * layer);
+      wedge.nodes[3 + c] = node(corner, 2 * layer + 2);
+      wedge.nodes[6 + c] = node(middle, 2 * layer);
+      wedge.nodes[9 + c] = node(middle, 2 * layer + 2);
+      wedge.nodes[12 + c] = node(corner, 2 * layer + 1);
+    }
+    if (layer == 0) mesh_.bore.push_back(static_cast<std::int32_t>(mesh_.wedges.size()));
+    if (layer == liner_) {
+      for (const std::size_t n : {0, 1, 2, 6, 7, 8}) bond(wedge.nodes[n]);
+    }
+    mesh_.wedges.push_back(wedge);
+  }
+
+  void bond(std::int32_t node) {
+    if (bonded_.insert(node).second) mesh_.bond.push_back(node);
+  }
+
+  /// Of a whole tube, both sides of the plane are one.
+  std::int32_t node(std::uint32_t plane_node, int level) {
+    if (mesh_.sectors == 1) plane_node = plane_.nodes[plane_node].image;
+    const auto [found, is_new] =
+        numbers_.try_emplace({plane_node, level}, static_cast<std::int32_t>(mesh_.nodes.size()));
+    if (!is_new) return found->second;
+    const PlanePoint at = plane_.nodes[plane_node].at;
+    const double radius = levels_mm_[static_cast<std::size_t>(level)];
+    const double angle = at.u / drawn_radius_mm_;
+    mesh_.nodes.push_back({radius * std::cos(angle), radius * std::sin(angle), at.z});
+    if (at.z < on_end_mm) mesh_.base.push_back(found->second);
+    if (at.z > mesh_.length_mm - on_end_mm) mesh_.tip.push_back(found->second);
+    return found->second;
+  }
+
+  void add_ties() {
+    for (const auto& [key, far] : numbers_) {
+      const auto& [plane_node, level] = key;
+      const std::uint32_t image = plane_.nodes[plane_node].image;
+      if (image != plane_node) mesh_.ties.emplace_back(numbers_.at({image, level}), far);
+    }
+  }
+
+  const PeriodMesh& plane_;
+  double drawn_radius_mm_;
+  std::vector<double> levels_mm_;
+  int liner_;
+  WedgeMesh mesh_;
+  std::map<std::pair<std::uint32_t, int>, std::int32_t> numbers_;
+  std::set<std::int32_t> bonded_;
+};
+
 }  // namespace
+
+WedgeMesh swept_wedges(const Segment& segment, const PeriodMesh& plane, int sectors,
+                       const SweptDivision& division) {
+  return SweptWedgeBuilder(segment, plane, sectors, division).build();
+}
 
 CellMesh swept_cell(const Segment& segment, const PeriodMesh& plane, const SweptPeriod& period,
                     const SweptDivision& division) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Unit cell of any lattice: one period of the plane's triangulation, swept through liner and
-// lattice by quadratic wedges.
+// Wedges of any lattice: the plane's triangulation swept through liner and lattice, as the unit
+// cell of one period, or from end to end for finite-element programs.
 #pragma once
 
 #include "design/design.h"
+#include "geometry/mesh/wedge_mesh.h"
 #include "geometry/solid/period_mesh.h"
 #include "model/cell/cell_mesh.h"
 
@@ -28,5 +29,10 @@ struct SweptPeriod {
 /// mid radius.
 CellMesh swept_cell(const Segment& segment, const PeriodMesh& plane, const SweptPeriod& period,
                     const SweptDivision& division);
+
+/// The segment from end to end, or one of its equal `sectors`: the plane holds that much of it, its
+/// sides alike. Precondition as above.
+WedgeMesh swept_wedges(const Segment& segment, const PeriodMesh& plane, int sectors,
+                       const SweptDivision& division);
 
 }  // namespace latticast

@@ -249,6 +249,8 @@ const BadDesign of_settings[] = {
      "model.calibrate", "kind = \"bonded\"", "leave it out", 1},
     {"CalibrateUnknown", "kind = \"mixture\"", "kind = \"bonded\"\ncalibrate = \"stat\"",
      "model.calibrate", "true, false or \"state\"", "calibrate = \"state\"", 1},
+    {"CalibrateIsANumber", "kind = \"mixture\"", "kind = \"bonded\"\ncalibrate = 1",
+     "model.calibrate", "true, false or \"state\"", "calibrate = \"state\"", 1},
     {"CellOfAMixture", "kind = \"mixture\"", "kind = \"mixture\"\ncell = { error = 3 }",
      "model.cell", "kind = \"unit-cell\"", "leave it out", 1},
     {"CellErrorTooSmall", "kind = \"mixture\"", "kind = \"unit-cell\"\ncell = { error = 0.001 }",

@@ -14,7 +14,11 @@
 #include <gtest/gtest.h>
 
 #include "design/units.h"
+#include "geometry/pattern/pattern.h"
 #include "geometry/pattern/rings.h"
+#include "geometry/solid/region.h"
+#include "model/cell/drawn_cell.h"
+#include "model/cell/lattice_period.h"
 #include "model/cell/strip_wedges.h"
 #include "tests/unit/model/segments.h"
 
@@ -128,6 +132,59 @@ TEST(StripWedges, SidesOfASectorAreImages) {
     }
   }
   EXPECT_TRUE(mesh_of(60, true).ties.empty());
+}
+
+/// Two tilted families and columns of horseshoes; the paper's unequal columns, which fuse.
+std::vector<Segment> any_lattices() {
+  Segment crossed = paper_segment({50, 130});
+  crossed.lattice->material.law = Linear{19.46, 0.49};
+  Segment waves = columns(std::vector<double>(16, 2.0));
+  waves.lattice->material.law = Linear{19.46, 0.49};
+  Segment uneven = columns(halves(16, 3.5, 2));
+  uneven.lattice->material.law = Linear{19.46, 0.49};
+  return {crossed, waves, uneven};
+}
+
+// The lattice's volume is its area in the plane, drawn by itself, times what wrapping makes of it.
+TEST(DrawnWedges, FillWhatIsDrawn) {
+  for (const Segment& segment : any_lattices()) {
+    Pattern pattern = draw_lattice(segment, 1e-3, Neighbours::may_overlap);
+    const PlaneGrid grid =
+        make_plane_grid(segment.lattice_circumference_mm(), segment.length_mm, 16);
+    const double area = area_mm2(unite(std::move(pattern), grid, {}, 1e-3));
+    for (const bool whole : {false, true}) {
+      const FoundWedges found = find_drawn_wedges(segment, whole);
+      ASSERT_TRUE(found.mesh) << found.reason;
+      const WedgeMesh& mesh = *found.mesh;
+      EXPECT_EQ(mesh.sectors, whole ? 1 : equal_sectors(segment));
+      std::map<WedgePart, double> filled;
+      for (const Wedge& wedge : mesh.wedges) filled[wedge.part] += volume(places(mesh, wedge));
+      const double share = 1.0 / mesh.sectors;
+      EXPECT_NEAR(filled[WedgePart::liner] / (share * pi * (16 * 16 - 12 * 12) * 85), 1, 1e-4);
+      EXPECT_NEAR(filled[WedgePart::lattice] / (share * area * (18 * 18 - 16 * 16) / (2 * 17)), 1,
+                  2e-3);
+    }
+  }
+}
+
+TEST(DrawnWedges, SidesOfASectorAreImages) {
+  const Segment segment = any_lattices()[1];
+  const WedgeMesh mesh = find_drawn_wedges(segment, false).mesh.value();
+  ASSERT_EQ(mesh.sectors, 16);
+  EXPECT_GT(mesh.ties.size(), 100U);
+  const double c = std::cos(2 * pi / 16);
+  const double s = std::sin(2 * pi / 16);
+  for (const auto& [near, far] : mesh.ties) {
+    const Point& a = mesh.nodes[near];
+    const Point& b = mesh.nodes[far];
+    EXPECT_NEAR(b[0], c * a[0] - s * a[1], 1e-9);
+    EXPECT_NEAR(b[1], s * a[0] + c * a[1], 1e-9);
+    EXPECT_NEAR(b[2], a[2], 1e-9);
+  }
+  for (const std::int32_t n : mesh.base) EXPECT_NEAR(mesh.nodes[n][2], 0, 1e-6);
+  for (const std::int32_t n : mesh.tip) EXPECT_NEAR(mesh.nodes[n][2], 85, 1e-6);
+  EXPECT_FALSE(mesh.base.empty());
+  EXPECT_FALSE(mesh.tip.empty());
 }
 
 std::size_t count(const std::string& text, const std::string& word) {

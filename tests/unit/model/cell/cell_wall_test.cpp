@@ -84,7 +84,8 @@ TEST(CellWall, BondBearsWhatTheLinerDoesNot) {
   const double rings = 2.0 / 10;
   const double covered = strips + rings - strips * rings;
   // Bulges and the strips' pull along themselves are not in this balance.
-  EXPECT_NEAR(-1e3 * wall->bond_pull_mpa * covered, pressure - own_kpa, 0.12 * (pressure - own_kpa));
+  EXPECT_NEAR(-1e3 * wall->bond_pull_mpa * covered, pressure - own_kpa,
+              0.12 * (pressure - own_kpa));
 }
 
 }  // namespace

@@ -307,6 +307,7 @@ TEST(LatticePeriod, IsTheSmallest) {
   EXPECT_FALSE(junctions.mirrored);
   EXPECT_NEAR(junctions.to_mm - junctions.from_mm, wave_mm, 1e-9);
   EXPECT_EQ(period(waves(halves(16, 3, 2), 0.25)).repeats, 1);
+  EXPECT_EQ(period(waves({2, 2.5, 2, 2.5, 2, 2.5, 2, 2.5}, 0.25)).repeats, 4);
   const LatticePeriod strips = period(twisting_segment(36));
   EXPECT_NEAR(strips.shift_mm, 10 / std::tan(36 * degree), 1e-9);
   EXPECT_EQ(strips.repeats, 8);
