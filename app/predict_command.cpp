@@ -14,6 +14,7 @@
 #include "app/tip_force_output.h"
 #include "app/wall_output.h"
 #include "files/atomic_file.h"
+#include "geometry/pattern/drawing_problems.h"
 #include "model/prediction.h"
 
 namespace latticast {
@@ -69,6 +70,23 @@ void note_known_bias(const Design& design, const Console& console) {
   const std::string_view bias = known_bias(
       design.model, std::any_of(design.segments.begin(), design.segments.end(), has_columns));
   if (reinforced && !bias.empty()) console.note(bias);
+}
+
+/// What is predicted is not what can be drawn, or would be.
+void note_drawing(const Design& design, const Console& console) {
+  for (std::size_t s = 0; s < design.segments.size(); ++s) {
+    for (const std::string& problem : drawing_problems(design.segments[s])) {
+      console.note(
+          fmt::format("segment {} cannot be drawn as it is predicted: {}", s + 1, problem));
+    }
+    if (design.model.wall == WallKind::unit_cell) continue;
+    for (const std::string& overlap : overlapping_neighbours(design.segments[s])) {
+      console.note(fmt::format(
+          "segment {}: {}. They are drawn as one net, and predicted as if each were by itself; "
+          "kind = \"unit-cell\" predicts the net",
+          s + 1, overlap));
+    }
+  }
 }
 
 void deliver(const std::string& answer, const PredictArguments& arguments, const Console& console) {
@@ -191,6 +209,7 @@ ExitStatus run_predict(const PredictArguments& asked, const Console& console) {
   if (arguments.pressure) pressures = parse_pressures_kpa(*arguments.pressure);
   const auto design = load_design(arguments.design, console);
   if (!design) return ExitStatus::invalid;
+  note_drawing(*design, console);
   if (blocked_tip) return predict_blocked_tip(*design, arguments, pressures, console);
   if (!arguments.shape.empty()) return predict_shapes(*design, arguments, pressures, console);
   if (arguments.wall) return predict_by_walls(*design, arguments, pressures, console);

@@ -44,6 +44,7 @@ constexpr std::array codes = {
               "an underside runs level for longer than the process prints without supports"},
     CheckCode{"exceeds-bed", Severity::error, "a part is larger than the printer's bed"},
     CheckCode{"cannot-draw", Severity::error, "the lattice cannot be drawn as asked"},
+    CheckCode{"columns-fused", Severity::warning, "columns overlap and are drawn as one net"},
     // Casting.
     CheckCode{"mold-impossible", Severity::error, "a mold cannot be made as asked"},
     CheckCode{"mold-wall-too-thin", Severity::error,

@@ -50,6 +50,15 @@ CheckFindings drawing_findings(const Segment& segment, int number) {
   for (const std::string& problem : drawing_problems(segment)) {
     findings.push_back(cannot_draw(number, problem));
   }
+  if (!findings.empty()) return findings;
+  for (const std::string& overlap : overlapping_neighbours(segment)) {
+    CheckFinding finding = check_finding("columns-fused");
+    finding.segment = number;
+    finding.part = "lattice";
+    finding.message = overlap + ". They are drawn as one net";
+    finding.remedy = "what the message names; or kind = \"unit-cell\", which predicts the net";
+    findings.push_back(std::move(finding));
+  }
   return findings;
 }
 
@@ -146,10 +155,9 @@ void check_lattice(const Design& design, PreparedLattices& lattices, std::size_t
   const std::vector<LatticeUse> uses = lattice_uses(design);
   const bool drawn = is_to_be_drawn(design.make);
   if (!drawn && uses.empty()) return;
-  if (CheckFindings problems = drawing_findings(segment, number); !problems.empty()) {
-    if (drawn) append(findings, std::move(problems));
-    return;
-  }
+  const bool drawable = drawing_problems(segment).empty();
+  if (drawn) append(findings, drawing_findings(segment, number));
+  if (!drawable) return;
   const auto lattice = united_lattice(segment, lattices.of(s), number, findings);
   if (!lattice) return;
   check_slivers(lattices.of(s), number, findings);

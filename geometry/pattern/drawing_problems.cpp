@@ -101,14 +101,8 @@ std::vector<std::string> of_curved(const Segment& segment, Ask&& ask) {
 
 }  // namespace
 
-std::vector<std::string> drawing_problems(const Segment& segment, Neighbours neighbours) {
-  return of_curved(segment, [&](std::size_t i) {
-    std::vector<std::string> lines = Family(segment, i).own();
-    if (neighbours == Neighbours::may_overlap) return lines;
-    const std::vector<std::string> more = Family(segment, i).with_neighbours();
-    lines.insert(lines.end(), more.begin(), more.end());
-    return lines;
-  });
+std::vector<std::string> drawing_problems(const Segment& segment) {
+  return of_curved(segment, [&](std::size_t i) { return Family(segment, i).own(); });
 }
 
 std::vector<std::string> overlapping_neighbours(const Segment& segment) {

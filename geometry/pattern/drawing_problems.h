@@ -17,13 +17,13 @@ namespace latticast {
 /// - close: no whole number of arcs fills the segment, by more than 0.2 % of the radius (within
 ///   that, it is drawn with the closing radius);
 /// - stay apart: an arc folds over itself (w >= 2 R), runs into the next arc but one (alternate) or
-///   into the next (one-sided, above 180 degrees), or into a neighbouring column;
+///   into the next (one-sided, above 180 degrees);
 /// - hold together: bulge past an end of the segment so far that the level cut parts a strand.
 /// Strands of equal widths are named once. Precondition: a validated segment.
-std::vector<std::string> drawing_problems(const Segment& segment,
-                                          Neighbours neighbours = Neighbours::apart);
+std::vector<std::string> drawing_problems(const Segment& segment);
 
-/// Those of them that only keep neighbouring columns from being apart.
+/// Where columns of a family overlap, in the same words: what is drawn is one net, which stretches
+/// and bends as no separate columns do.
 std::vector<std::string> overlapping_neighbours(const Segment& segment);
 
 /// Throws CannotDraw with the problems of all segments, if there are any.

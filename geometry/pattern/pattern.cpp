@@ -62,11 +62,11 @@ Strand moved(Strand strand, PlanePoint by) {
   return strand;
 }
 
-Pattern draw_lattice(const Segment& segment, double flatness_mm, Neighbours neighbours) {
+Pattern draw_lattice(const Segment& segment, double flatness_mm) {
   const double circumference = segment.lattice_circumference_mm();
   Pattern pattern{circumference, segment.length_mm, {}};
   std::string problems;
-  for (const std::string& problem : drawing_problems(segment, neighbours)) {
+  for (const std::string& problem : drawing_problems(segment)) {
     problems += "\n  " + problem;
   }
   if (!problems.empty()) throw CannotDraw("the lattice cannot be drawn:" + problems);

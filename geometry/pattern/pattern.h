@@ -41,17 +41,13 @@ struct Pattern {
   DrawingError error{};  ///< of curves drawn as chords; none for straight outlines
 };
 
-/// Whether neighbouring curved strands must leave a gap, or may overlap and make one net.
-enum class Neighbours { apart, may_overlap };
-
 /// Draws the rings and strands of a lattice. Strands keep their width square to themselves at R_c
 /// and are cut level at both ends (docs/geometry.md#the-unrolled-plane); strand 0 of every family
 /// starts at u = 0. Arcs of horseshoe columns become chords within `flatness_mm` of the circle.
-/// Precondition: a validated segment with a lattice. Throws CannotDraw for horseshoe columns that
-/// do not close on the segment's length, fold over themselves or, unless they may, overlap their
-/// neighbours.
-Pattern draw_lattice(const Segment& segment, double flatness_mm,
-                     Neighbours neighbours = Neighbours::apart);
+/// Columns that overlap their neighbours are drawn as they are: united, they are one net
+/// (overlapping_neighbours()). Precondition: a validated segment with a lattice. Throws CannotDraw
+/// for curved strands that do not close on the segment's length or fold over themselves.
+Pattern draw_lattice(const Segment& segment, double flatness_mm);
 
 /// Draws a closed sleeve: the whole plane, as one strand, at the given radius.
 Pattern draw_sleeve(double radius_mm, double length_mm);

@@ -94,7 +94,7 @@ LatticeSize::LatticeSize(const Segment& segment)
 LatticeSize::Family LatticeSize::family_of(const Lattice& alone) const {
   Segment segment = segment_;
   segment.lattice = alone;
-  const Pattern pattern = draw_lattice(segment, flatness_mm_, Neighbours::may_overlap);
+  const Pattern pattern = draw_lattice(segment, flatness_mm_);
   Family family;
   double doubled_area = 0;
   for (const Strand& strand : pattern.strands) {

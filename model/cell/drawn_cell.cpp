@@ -71,7 +71,7 @@ PeriodPlane plane_of(const LatticePeriod& found) {
     return static_cast<std::int32_t>(std::lround(z_mm / grid.z_step_mm));
   };
   const std::array<std::int32_t, 2> cuts = {steps(found.from_mm), steps(found.to_mm)};
-  Pattern pattern = draw_lattice(drawn, flatness_mm, Neighbours::may_overlap);
+  Pattern pattern = draw_lattice(drawn, flatness_mm);
   const double fillet_mm = drawn.lattice->fillet_mm;
   if (fillet_mm > 0) pattern = with_fillets(pattern, fillet_mm, flatness_mm);
   const double closing = closing_by_width * thinnest_strand_mm(*drawn.lattice);
@@ -105,8 +105,8 @@ std::string with_net(std::string assumed, const Segment& segment) {
   const std::vector<std::string> overlaps = overlapping_neighbours(segment);
   if (overlaps.empty()) return assumed;
   if (!assumed.empty()) assumed += "; ";
-  return assumed + "the unit cell has overlapping columns as one net, which is not built: " +
-         overlaps.front();
+  return assumed +
+         "the unit cell has overlapping columns as the one net that is drawn: " + overlaps.front();
 }
 
 FoundCell cell_of(const Segment& segment, const LatticePeriod& found, std::size_t level) {

@@ -91,7 +91,7 @@ std::string text_of(const PlaneGrid& grid) {
 // The names are the linker's: what the compiler calls these functions.
 #define COUNTED(name) asm("__wrap_" name)
 #define ORIGINAL(name) asm("__real_" name)
-#define DRAW "_ZN9latticast12draw_latticeERKNS_7SegmentEdNS_10NeighboursE"
+#define DRAW "_ZN9latticast12draw_latticeERKNS_7SegmentEd"
 #define UNITE "_ZN9latticast5uniteENS_7PatternERKNS_9PlaneGridESt4spanIKiLm18446744073709551615EEd"
 #define CLOSE "_ZN9latticast14closed_patternENS_7PatternERKNS_9PlaneGridEd"
 #define PREPARE                                                                                    \
@@ -101,11 +101,11 @@ std::string text_of(const PlaneGrid& grid) {
   "_ZN9latticast7predictERKNS_15PreparedSegmentESt4spanIKdLm18446744073709551615EENS_4HeldERKNS_" \
   "13SolverOptionsE"
 
-Pattern original_draw(const Segment&, double, Neighbours) ORIGINAL(DRAW);
-Pattern counted_draw(const Segment&, double, Neighbours) COUNTED(DRAW);
-Pattern counted_draw(const Segment& segment, double flatness_mm, Neighbours neighbours) {
+Pattern original_draw(const Segment&, double) ORIGINAL(DRAW);
+Pattern counted_draw(const Segment&, double) COUNTED(DRAW);
+Pattern counted_draw(const Segment& segment, double flatness_mm) {
   ++calls["draw"][text_of(segment)];  // the twisting design has no curves: any flatness is the same
-  return original_draw(segment, flatness_mm, neighbours);
+  return original_draw(segment, flatness_mm);
 }
 
 Region original_unite(Pattern, const PlaneGrid&, std::span<const std::int32_t>, double)

@@ -226,16 +226,17 @@ TEST(PrintChecks, LookAtNothingThatIsNotMade) {
   EXPECT_TRUE(findings_in_print(design).empty());
 }
 
-TEST(PrintChecks, ColumnsThatOverlapAreAProblemOnlyWhereTheyAreDrawn) {
+TEST(PrintChecks, ColumnsThatOverlapAreNamedOnlyWhereTheyAreDrawn) {
   Segment segment = twisting_segment();
   segment.lattice->grids = {{90, std::vector<double>(16, 5.0), Horseshoe{2.65625, 180, true}}};
   Design design = printed(segment);
-  EXPECT_TRUE(finds(design, "cannot-draw"));
+  EXPECT_TRUE(finds(design, "columns-fused"));
+  EXPECT_FALSE(finds(design, "cannot-draw"));
   design.make = {};
   design.model.columns = ColumnModel::rods;
   EXPECT_TRUE(findings_in_print(design).empty());
   design.make.preview.emplace();
-  EXPECT_TRUE(finds(design, "cannot-draw"));
+  EXPECT_TRUE(finds(design, "columns-fused"));
 }
 
 TEST(PrintChecks, NeverThrow) {

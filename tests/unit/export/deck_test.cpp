@@ -148,7 +148,7 @@ std::vector<Segment> any_lattices() {
 // The lattice's volume is its area in the plane, drawn by itself, times what wrapping makes of it.
 TEST(DrawnWedges, FillWhatIsDrawn) {
   for (const Segment& segment : any_lattices()) {
-    Pattern pattern = draw_lattice(segment, 1e-3, Neighbours::may_overlap);
+    Pattern pattern = draw_lattice(segment, 1e-3);
     const PlaneGrid grid =
         make_plane_grid(segment.lattice_circumference_mm(), segment.length_mm, 16);
     const double area = area_mm2(unite(std::move(pattern), grid, {}, 1e-3));
