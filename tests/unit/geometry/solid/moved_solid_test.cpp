@@ -75,7 +75,7 @@ PreviewShape moved_by(const Deformed& by, const Segment& segment) {
   state.outer_radius_mm =
       std::sqrt(by.inner_radius * by.inner_radius + (outer * outer - inner * inner) / by.stretch);
   const std::vector<State> states{state};
-  return {"", Shape(std::vector<Segment>{segment}, states), states};
+  return {"", "", Shape(std::vector<Segment>{segment}, states), states};
 }
 
 struct Errors {
