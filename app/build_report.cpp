@@ -79,8 +79,8 @@ std::vector<ReportFile> report_files(ReportData& report, const ReportView& view,
   if (report.curves) files.push_back({stem + "-response.csv", "", "the response to pressure"});
   for (const ReportFile& file : files) report.files.push_back(file.name);
   files[0].bytes =
-      report_page({stem, report_json(report, order.times_in_report), view_json(view, order.design, order.findings),
-                   view_glb(view), pictures});
+      report_page({stem, report_json(report, order.times_in_report),
+                   view_json(view, order.design, order.findings), view_glb(view), pictures});
   files[1].bytes = report_json(report, order.times_in_report);
   if (report.curves) files[2].bytes = response_csv(report);
   return files;

@@ -233,6 +233,48 @@ double distance_to_wave(const Wave& wave, double s, double t) {
   return std::sqrt(least);
 }
 
+/// Which way a link bulges.
+int bulge_of(int link) {
+  return link % 2 == 0 ? 1 : -1;
+}
+
+struct EdgeStep {
+  int link;
+  int step;
+  bool outer;
+};
+
+/// Both ends of a joint are the same for both its half waves.
+PlanePoint edge_point(const SinusoidStrand& strand, const StrandFrame& frame, const Edges& edges,
+                      const EdgeStep& at) {
+  const double chord = link_chord_mm(strand);
+  const int side = bulge_of(at.link);
+  if (at.step == 0 || at.step == edges.steps) {
+    const double turn = std::atan(wave_of(strand).slope);
+    const double offset = (at.outer ? 0.5 : -0.5) * strand.width_mm;
+    const double along = (at.step == 0 ? -offset : offset) * std::sin(turn);
+    return frame.at((at.link + (at.step == 0 ? 0 : 1)) * chord + along,
+                    offset * side * std::cos(turn));
+  }
+  const PlanePoint& point = (at.outer ? edges.outer : edges.inner).points()[at.step];
+  return frame.at(at.link * chord + point.u, side * point.z);
+}
+
+DrawnCurve edge_curve(const SinusoidStrand& strand, const StrandFrame& frame, int link,
+                      bool outer) {
+  const double chord = link_chord_mm(strand);
+  const int side = bulge_of(link);
+  return DrawnCurve{.shape = SinusoidOffset{.start = frame.at(link * chord, 0),
+                                            .along = frame.along,
+                                            .bulge = {side * frame.right.u, side * frame.right.z},
+                                            .chord_mm = chord,
+                                            .amplitude_mm = strand.shape.amplitude_mm,
+                                            .offset_mm = (outer ? 0.5 : -0.5) * strand.width_mm},
+                    .part = CurvePart::strand,
+                    .link = link,
+                    .side = outer ? side : -side};
+}
+
 }  // namespace
 
 double link_chord_mm(const SinusoidStrand& strand) {
@@ -318,40 +360,18 @@ std::optional<std::string> own_problem(const SinusoidStrand& strand) {
 DrawnStrand draw_strand(const SinusoidStrand& strand, double flatness_mm) {
   const Edges edges = edges_of(strand, flatness_mm);
   const StrandFrame frame = strand_frame(strand.start_u_mm, strand.angle_deg);
-  const double chord = link_chord_mm(strand);
-  const double turn = std::atan(wave_of(strand).slope);
-  const double half = 0.5 * strand.width_mm;
   LinkChain chain{.frame = frame,
-                  .link_chord_mm = chord,
+                  .link_chord_mm = link_chord_mm(strand),
                   .length_mm = strand.length_mm,
                   .flatness_mm = flatness_mm,
                   .steps = edges.steps,
                   .edge = {},
                   .side = {},
                   .corner = {}};
-  // Both ends of a joint are the same for both its half waves.
   chain.edge = [&](int link, int step, bool outer) {
-    const int side = link % 2 == 0 ? 1 : -1;
-    if (step == 0 || step == edges.steps) {
-      const double offset = outer ? half : -half;
-      const double along = (step == 0 ? -offset : offset) * std::sin(turn);
-      return frame.at((link + (step == 0 ? 0 : 1)) * chord + along, offset * side * std::cos(turn));
-    }
-    const PlanePoint& point = (outer ? edges.outer : edges.inner).points()[step];
-    return frame.at(link * chord + point.u, side * point.z);
+    return edge_point(strand, frame, edges, {link, step, outer});
   };
-  chain.side = [&](int link, bool outer) {
-    const int side = link % 2 == 0 ? 1 : -1;
-    return DrawnCurve{.shape = SinusoidOffset{.start = frame.at(link * chord, 0),
-                                              .along = frame.along,
-                                              .bulge = {side * frame.right.u, side * frame.right.z},
-                                              .chord_mm = chord,
-                                              .amplitude_mm = strand.shape.amplitude_mm,
-                                              .offset_mm = outer ? half : -half},
-                      .part = CurvePart::strand,
-                      .link = link,
-                      .side = outer ? side : -side};
-  };
+  chain.side = [&](int link, bool outer) { return edge_curve(strand, frame, link, outer); };
   DrawnStrand drawn = draw_chain(chain);
   const double off = edges.distance();
   const double longest = std::max(edges.outer.longest_chord(), edges.inner.longest_chord());

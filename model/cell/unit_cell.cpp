@@ -60,6 +60,39 @@ std::vector<FreeCoordinate> free_coordinates(const UnitCell& cell) {
   return free;
 }
 
+/// Second derivatives by scaled coordinates, column after column.
+std::vector<double> scaled_hessian(const SectionEnergy& energy,
+                                   const std::vector<FreeCoordinate>& free) {
+  const std::size_t n = free.size();
+  std::vector<double> hessian(n * n);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      hessian[j * n + i] =
+          energy.second(free[i].number, free[j].number) * free[i].unit * free[j].unit;
+    }
+  }
+  return hessian;
+}
+
+/// The largest share of a part of the response that `change` is, small parts aside.
+double largest_share(const std::vector<double>& response, const std::vector<double>& change) {
+  double largest = 0;
+  for (const double part : response) largest = std::max(largest, std::abs(part));
+  double share = 0;
+  for (std::size_t i = 0; i < response.size(); ++i) {
+    if (std::abs(response[i]) < small_part * largest) continue;
+    share = std::max(share, std::abs(change[i] / response[i]));
+  }
+  return share;
+}
+
+/// Bending is judged as a vector: its direction is nobody's axis.
+void join_bending(std::vector<double>& parts) {
+  const double second = parts.back();
+  parts.pop_back();
+  parts.back() = std::hypot(parts.back(), second);
+}
+
 bool is_rest(const Deformation& at) {
   return at.elongation == 0 && at.twist == 0 && at.inner_growth == 0 && at.bend_1 == 0 &&
          at.bend_2 == 0;
@@ -79,41 +112,24 @@ double rest_error_percent(const UnitCell& cell) {
   const std::vector<FreeCoordinate> free = free_coordinates(cell);
   const std::size_t n = free.size();
   // The response r of H r = v, and its change -H^-1 dH r.
-  std::vector<double> stiffness(n * n);
   std::vector<double> response(n);
   const double radius = cell.fine.inner_radius_mm;
   response[0] = pi * radius * radius;
   response[1] = 2 * pi * radius * free[1].unit;
-  const auto fill = [&](const SectionEnergy& energy) {
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t j = 0; j < n; ++j) {
-        stiffness[j * n + i] =
-            energy.second(free[i].number, free[j].number) * free[i].unit * free[j].unit;
-      }
-    }
-  };
-  fill(rest->energy);
+  std::vector<double> stiffness = scaled_hessian(rest->energy, free);
   solve_in_place(stiffness, response);
-  fill(rest->doubt);
+  const std::vector<double> doubt = scaled_hessian(rest->doubt, free);
   std::vector<double> change(n);
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < n; ++j) change[i] += stiffness[j * n + i] * response[j];
+    for (std::size_t j = 0; j < n; ++j) change[i] += doubt[j * n + i] * response[j];
   }
-  fill(rest->energy);
+  stiffness = scaled_hessian(rest->energy, free);
   solve_in_place(stiffness, change);
-  // Bending is judged as a vector: its direction is nobody's axis.
   if (cell.bends) {
-    response[n - 2] = std::hypot(response[n - 2], response[n - 1]);
-    change[n - 2] = std::hypot(change[n - 2], change[n - 1]);
+    join_bending(response);
+    join_bending(change);
   }
-  double largest = 0;
-  for (const double part : response) largest = std::max(largest, std::abs(part));
-  double error = 0;
-  for (std::size_t i = 0; i < (cell.bends ? n - 1 : n); ++i) {
-    if (std::abs(response[i]) < small_part * largest) continue;
-    error = std::max(error, std::abs(change[i] / response[i]));
-  }
-  return 100 * error;
+  return 100 * largest_share(response, change);
 }
 
 FoundCell find_unit_cell(const Segment& segment, double error_percent) {

@@ -60,6 +60,38 @@ WaveSolver::WaveSolver(const Wave& wave, int terms) : wave_(wave), terms_(terms)
   rest_.force_by_strain = slope[terms];
 }
 
+/// Of the sums over stations, at each of them.
+struct WaveSolver::Terms {
+  Eigen::VectorXd bending, pull, stiffening, by_force;
+  double chord = 0;
+  double chord_by_force = 0;
+};
+
+WaveSolver::Terms WaveSolver::terms_at(double force, std::span<const double> change) const {
+  const auto count = static_cast<Eigen::Index>(stations_.size());
+  const double compliance = wave_.compliance;
+  Terms terms{Eigen::VectorXd(count), Eigen::VectorXd(count), Eigen::VectorXd(count),
+              Eigen::VectorXd(count)};
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Station& station = stations_[i];
+    const double theta = station.slope + change[i];
+    const double sine = std::sin(theta);
+    const double cosine = std::cos(theta);
+    const double length = station.weight * station.stretch;
+    const double pull = compliance * force;
+    terms.bending[i] = station.weight / station.stretch;
+    terms.pull[i] = force * sine * (1 + pull * cosine) * length;
+    terms.stiffening[i] = force * (cosine + pull * (2 * cosine * cosine - 1)) * length;
+    terms.by_force[i] = sine * (1 + 2 * pull * cosine) * length;
+    // cos(theta) - cos(theta0), without a difference of nearly equal numbers.
+    const double lengthening =
+        -2 * std::sin(station.slope + 0.5 * change[i]) * std::sin(0.5 * change[i]);
+    terms.chord += (lengthening + pull * cosine * cosine) * length;
+    terms.chord_by_force += compliance * cosine * cosine * length;
+  }
+  return terms;
+}
+
 WaveSolver::Sums WaveSolver::sums_at(const WaveEquilibrium& at) const {
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   const auto count = static_cast<Eigen::Index>(stations_.size());
@@ -68,43 +100,20 @@ WaveSolver::Sums WaveSolver::sums_at(const WaveEquilibrium& at) const {
   const Eigen::Map<const Eigen::VectorXd> turn(at.turn.data(), terms_);
   const Eigen::VectorXd change = sines * turn;
   const Eigen::VectorXd change_by_y = cosines * turn;
-  const double beta = at.force;
-  const double compliance = wave_.compliance;
-  Eigen::VectorXd bending(count);
-  Eigen::VectorXd pull(count);
-  Eigen::VectorXd stiffening(count);
-  Eigen::VectorXd by_force(count);
-  double chord = 0;
-  double chord_by_force = 0;
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Station& station = stations_[i];
-    const double theta = station.slope + change[i];
-    const double sine = std::sin(theta);
-    const double cosine = std::cos(theta);
-    const double length = station.weight * station.stretch;
-    bending[i] = station.weight / station.stretch;
-    pull[i] = beta * sine * (1 + compliance * beta * cosine) * length;
-    stiffening[i] = beta * (cosine + compliance * beta * (2 * cosine * cosine - 1)) * length;
-    by_force[i] = sine * (1 + 2 * compliance * beta * cosine) * length;
-    // cos(theta) - cos(theta0), without a difference of nearly equal numbers.
-    const double lengthening =
-        -2 * std::sin(station.slope + 0.5 * change[i]) * std::sin(0.5 * change[i]);
-    chord += (lengthening + compliance * beta * cosine * cosine) * length;
-    chord_by_force += compliance * cosine * cosine * length;
-  }
+  const Terms terms = terms_at(at.force, {change.data(), stations_.size()});
   Sums sums;
   sums.residual.resize(terms_ + 1);
   sums.jacobian.resize(terms_ + 1, terms_ + 1);
-  sums.residual.head(terms_) =
-      cosines.transpose() * bending.cwiseProduct(change_by_y) + sines.transpose() * pull;
-  sums.residual[terms_] = chord - 0.5 * pi * at.strain;
+  sums.residual.head(terms_) = cosines.transpose() * terms.bending.cwiseProduct(change_by_y) +
+                               sines.transpose() * terms.pull;
+  sums.residual[terms_] = terms.chord - 0.5 * pi * at.strain;
   sums.jacobian.topLeftCorner(terms_, terms_) =
-      cosines.transpose() * bending.asDiagonal() * cosines +
-      sines.transpose() * stiffening.asDiagonal() * sines;
-  const Eigen::VectorXd mixed = sines.transpose() * by_force;
+      cosines.transpose() * terms.bending.asDiagonal() * cosines +
+      sines.transpose() * terms.stiffening.asDiagonal() * sines;
+  const Eigen::VectorXd mixed = sines.transpose() * terms.by_force;
   sums.jacobian.topRightCorner(terms_, 1) = mixed;
   sums.jacobian.bottomLeftCorner(1, terms_) = -mixed.transpose();
-  sums.jacobian(terms_, terms_) = chord_by_force;
+  sums.jacobian(terms_, terms_) = terms.chord_by_force;
   return sums;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace latticast {
@@ -59,8 +60,11 @@ class WaveSolver {
     double weight;   // of the sum, in y
     double slope;    // theta0
   };
+  struct Terms;
   struct Sums;
 
+  /// `change`: theta - theta0 at the stations.
+  Terms terms_at(double force, std::span<const double> change) const;
   Sums sums_at(const WaveEquilibrium& at) const;
 
   Wave wave_;
