@@ -15,8 +15,8 @@
 #include <gtest/gtest.h>
 
 #include "geometry/mesh/disjoint_sets.h"
-#include "geometry/solid/fillet.h"
 #include "geometry/solid/flat_pattern.h"
+#include "geometry/solid/lattice_drawing.h"
 #include "geometry/solid/plane_mesh.h"
 #include "geometry/solid/region.h"
 
@@ -163,9 +163,9 @@ inline Region flat_region(const Segment& segment, const FlatPattern& sheet, doub
                                 [](const Grid& grid) { return is_curved(grid.path); });
   const double share = lattice.fillet_mm == 0 ? 0.95 : arcs ? 0.44 : 0.88;
   const double flatness = share * tolerance_mm;
-  Pattern pattern = draw_lattice(segment, flatness);
-  if (lattice.fillet_mm > 0) pattern = with_fillets(pattern, lattice.fillet_mm, flatness);
-  return unite(std::move(pattern), grid_of(sheet), {}, tolerance_mm);
+  // What it closes and parts is tested by itself (slivers_test).
+  LatticeDrawing drawing(segment, tolerance_mm);
+  return drawing.united(flatness, grid_of(sheet), {}, tolerance_mm);
 }
 
 /// What the two sides of the slit have in material, as z intervals, the way the sheet's outlines
