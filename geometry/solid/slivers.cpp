@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <unordered_map>
 
 #include "geometry/solid/plane_offsets.h"
@@ -37,13 +38,19 @@ double distance_to(PlanePoint p, PlanePoint a, PlanePoint b) {
   return std::hypot(p.u - a.u - part * u, p.z - a.z - part * z);
 }
 
-// Outlines do not cross: the nearest places of two pieces are an end of one of them.
-bool nearer_than(const Piece& p, Piece q, double width, double around) {
+// Outlines do not cross: the nearest places of two pieces are an end of one of them. That end,
+// where it is nearer than `width`.
+std::optional<PlanePoint> near_end(const Piece& p, Piece q, double width, double around) {
   const double shift = around * std::round((q.a.u - p.a.u) / around);
   q.a.u -= shift;
   q.b.u -= shift;
-  return distance_to(p.a, q.a, q.b) < width || distance_to(p.b, q.a, q.b) < width ||
-         distance_to(q.a, p.a, p.b) < width || distance_to(q.b, p.a, p.b) < width;
+  for (const PlanePoint& end : {p.a, p.b}) {
+    if (distance_to(end, q.a, q.b) < width) return end;
+  }
+  for (const PlanePoint& end : {q.a, q.b}) {
+    if (distance_to(end, p.a, p.b) < width) return end;
+  }
+  return std::nullopt;
 }
 
 class NearPieces {
@@ -136,7 +143,8 @@ class NearPieces {
         for (const std::uint32_t other : cell) {
           const Piece& there = pieces_[other];
           if (are_boxes_apart(piece, there, width_) || !are_far_along(piece, there)) continue;
-          if (nearer_than(piece, there, width_, around_)) add_place(piece.a);
+          const auto near = near_end(piece, there, width_, around_);
+          if (near) add_place(*near);
         }
         cell.push_back(number);
       }

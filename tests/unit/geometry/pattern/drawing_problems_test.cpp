@@ -100,18 +100,21 @@ TEST(DrawingProblems, NeighboursThatOverlapGetACountAndAWidth) {
   // Half circles in phase, 2 pi 17/16 = 6.68 apart; circles of R 10.6 leave less between them.
   const double radius = 85.0 / 8;
   Segment segment = segment_with({radius, 180, true}, std::vector<double>(16, 2.5));
-  const std::string problem = only_problem(segment);
+  EXPECT_TRUE(drawing_problems(segment).empty()) << "it is drawn as one net";
+  const std::vector<std::string> overlaps = overlapping_neighbours(segment);
+  ASSERT_EQ(overlaps.size(), 1U);
+  const std::string& problem = overlaps.front();
   EXPECT_NE(problem.find("strand 1 of 16 (at 0.0 degrees around the tube): overlaps strand 2"),
             std::string::npos)
       << problem;
   Grid& grid = segment.lattice->grids[0];
   const int count = static_cast<int>(number_after(problem, "; count "));
   grid.widths_mm.assign(count, 2.5);
-  EXPECT_TRUE(drawing_problems(segment).empty());
+  EXPECT_TRUE(overlapping_neighbours(segment).empty());
   grid.widths_mm.assign(count + 1, 2.5);
-  EXPECT_FALSE(drawing_problems(segment).empty()) << "one more would have fitted";
+  EXPECT_FALSE(overlapping_neighbours(segment).empty()) << "one more would have fitted";
   grid.widths_mm.assign(16, 0.999 * number_after(problem, "widths below "));
-  EXPECT_TRUE(drawing_problems(segment).empty());
+  EXPECT_TRUE(overlapping_neighbours(segment).empty());
 }
 
 TEST(DrawingProblems, WiderStrandsAreBlamedWhereTheyAre) {
@@ -119,7 +122,7 @@ TEST(DrawingProblems, WiderStrandsAreBlamedWhereTheyAre) {
   std::vector<double> widths(12, 0.5);
   widths[5] = 7;
   const std::vector<std::string> problems =
-      drawing_problems(segment_with({radius, 180, true}, widths));
+      overlapping_neighbours(segment_with({radius, 180, true}, widths));
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_NE(problems[0].find("strand 5 of 12 (at 120.0 degrees"), std::string::npos) << problems[0];
 }

@@ -242,19 +242,19 @@ TEST(SinusoidPath, FoldsAreRefusedWithValuesThatWork) {
   EXPECT_TRUE(drawing_problems(columns(path, 0.999 * width)).empty());
 }
 
-TEST(SinusoidPath, PartedStrandsAndOverlapsAreRefused) {
+TEST(SinusoidPath, PartedStrandsAreRefusedAndOverlapsNamed) {
   const std::vector<std::string> parted = drawing_problems(columns({42, 4}, 1, 1, 20, 80));
   ASSERT_EQ(parted.size(), 1U);
   EXPECT_NE(parted[0].find("parts it"), std::string::npos) << parted[0];
   const double amplitude = number_after(parted[0], "; amplitude ");
   EXPECT_TRUE(drawing_problems(columns({amplitude, 4}, 1, 1, 20, 80)).empty());
 
-  const std::vector<std::string> overlap = drawing_problems(columns({4, 4}, 2, 60));
+  const std::vector<std::string> overlap = overlapping_neighbours(columns({4, 4}, 2, 60));
   ASSERT_EQ(overlap.size(), 1U);
   EXPECT_NE(overlap[0].find("overlaps strand 2"), std::string::npos) << overlap[0];
   const int fewer = static_cast<int>(number_after(overlap[0], "count "));
-  EXPECT_TRUE(drawing_problems(columns({4, 4}, 2, fewer)).empty());
-  EXPECT_FALSE(drawing_problems(columns({4, 4}, 2, fewer + 1)).empty());
+  EXPECT_TRUE(overlapping_neighbours(columns({4, 4}, 2, fewer)).empty());
+  EXPECT_FALSE(overlapping_neighbours(columns({4, 4}, 2, fewer + 1)).empty());
 }
 
 }  // namespace

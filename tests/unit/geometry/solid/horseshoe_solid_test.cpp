@@ -84,7 +84,12 @@ TEST(HorseshoeSolid, IsOnePieceAStrandAndNothingIsLeftAtTheEnds) {
     options.tolerance_mm = random.log_between(0.005, 0.05);
     const Solid solid = lattice_solid(segment, options);
     ASSERT_NO_FATAL_FAILURE(expect_sound(solid));
-    EXPECT_EQ(solid.pieces, count);
+    // Columns that overlap are one net, or several.
+    if (overlapping_neighbours(segment).empty()) {
+      EXPECT_EQ(solid.pieces, count);
+    } else {
+      EXPECT_LT(solid.pieces, count);
+    }
     ++made;
   }
   std::printf("seeds from %llu: %d of 150 drawn\n", static_cast<unsigned long long>(seed), made);
