@@ -171,8 +171,9 @@ struct CondensedCell::Solver {
     columns.clear();
     columns.insert(columns.end(), cell.residual.begin(), cell.residual.end());
     columns.insert(columns.end(), cell.volume_slope.begin(), cell.volume_slope.end());
-    for (const Vector& mixed : cell.mixed)
+    for (const Vector& mixed : cell.mixed) {
       columns.insert(columns.end(), mixed.begin(), mixed.end());
+    }
     assembly.matrix().solve(columns);
   }
 

@@ -157,7 +157,9 @@ void add_turning(const ShapeAtPoint& shape, std::span<const PlacedNode> nodes, c
     const Vector3 lever = pull.cross(Vector3::Unit(axis_of[m])) * volume;
     for (std::size_t a = 0; a < nodes.size(); ++a) {
       const Vector3 by = shape.value[a] * (nodes[a].frame.transpose() * lever);
-      for (std::size_t c = 0; c < 3; ++c) hessian.row(3 * a + c)[own + 1 + m] += by[c];
+      for (int c = 0; c < 3; ++c) {
+        hessian.row(3 * a + static_cast<std::size_t>(c))[own + 1 + m] += by[c];
+      }
     }
   }
 }
