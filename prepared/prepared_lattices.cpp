@@ -11,9 +11,10 @@ PreparedLattices::~PreparedLattices() = default;
 
 LatticeDrawing& PreparedLattices::of(std::size_t segment) {
   std::unique_ptr<LatticeDrawing>& drawing = drawings_[segment];
-  if (!drawing)
+  if (!drawing) {
     drawing =
         std::make_unique<LatticeDrawing>(design_.segments[segment], design_.output.tolerance_mm);
+  }
   return *drawing;
 }
 

@@ -68,9 +68,13 @@ std::string pictures_section(const std::vector<ReportPicture>& pictures) {
       "<h2 id=\"pictures-head\">Pictures</h2>\n";
   for (const ReportPicture& picture : pictures) {
     const std::string title = escaped_html(picture.title);
-    html += "  <figure class=\"made-picture\"><img alt=\"" + title +
-            "\" src=\"data:image/png;base64," + base64(picture.png) + "\"><figcaption>" + title +
-            "</figcaption></figure>\n";
+    html += "  <figure class=\"made-picture\"><img alt=\"";
+    html += title;
+    html += "\" src=\"data:image/png;base64,";
+    html += base64(picture.png);
+    html += "\"><figcaption>";
+    html += title;
+    html += "</figcaption></figure>\n";
   }
   return html + "  </section>\n";
 }
